@@ -77,8 +77,7 @@ std::vector<ResonatorWatch> QuasiStaticMotion::get_watches() const
   return {{ResonatorFailure::loss_of_tension_1, ResonatorPlace::a_and_b},
           {ResonatorFailure::loss_of_tension_2, ResonatorPlace::a},
           {ResonatorFailure::loss_of_tension_2, ResonatorPlace::b},
-          {ResonatorFailure::breakdown, ResonatorPlace::a},
-          {ResonatorFailure::instability, ResonatorPlace::a_and_b}};
+          {ResonatorFailure::breakdown, ResonatorPlace::a}};
 }
 
 void QuasiStaticMotion::compute_watches(const double time,
@@ -95,7 +94,6 @@ void QuasiStaticMotion::compute_watches(const double time,
   values[2] = b.stress_2;
   values[3] =
       resonator_.strength - voltage * stretch_1a * resonator_.pre_stretch_2;
-  values[4] = a.stiffness_1 + resonator_.length_ratio * b.stiffness_1;
 }
 
 InertialMotion::InertialMotion(const Resonator& resonator)

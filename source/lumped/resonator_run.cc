@@ -97,11 +97,9 @@ std::string to_text(const ResonatorFailure failure)
   case ResonatorFailure::loss_of_tension_2:
     return "loss of tension along x_2";
   case ResonatorFailure::breakdown:
-    return "electric breakdown";
-  case ResonatorFailure::instability:
     break;
   }
-  return "loss of stability";
+  return "electric breakdown";
 }
 
 std::string to_text(const ResonatorPlace place)

@@ -83,7 +83,7 @@ struct Margin
   double (*value)(const ResonatorRow&);
 };
 
-const std::array<Margin, 5> margins = {
+const std::array<Margin, 4> margins = {
     {{ResonatorFailure::loss_of_tension_1, ResonatorPlace::a_and_b,
       [](const ResonatorRow& row) { return row.stress_1b; }},
      {ResonatorFailure::loss_of_tension_2, ResonatorPlace::a,
@@ -91,9 +91,7 @@ const std::array<Margin, 5> margins = {
      {ResonatorFailure::loss_of_tension_2, ResonatorPlace::b,
       [](const ResonatorRow& row) { return row.stress_2b; }},
      {ResonatorFailure::breakdown, ResonatorPlace::a,
-      [](const ResonatorRow& row) { return row.breakdown_margin; }},
-     {ResonatorFailure::instability, ResonatorPlace::a_and_b,
-      [](const ResonatorRow& row) { return row.frequency; }}}};
+      [](const ResonatorRow& row) { return row.breakdown_margin; }}}};
 
 /// The state in which the margin falls to zero between two stretches of A.
 ResonatorRow locate(const RelaxedPath& path, const Margin& margin,

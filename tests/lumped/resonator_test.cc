@@ -2,12 +2,12 @@
 #include <taut/lumped/frozen_resonator.h>
 #include <taut/lumped/resonator_si.h>
 
-#include "resonator_cases.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
+
+#include "resonator_cases.h"
 
 using namespace taut;
 using namespace taut::lumped;
@@ -68,7 +68,7 @@ ResonatorSI make_device()
   return device;
 }
 
-void expect_device_refused(double ResonatorSI::* const value, const double bad)
+void expect_device_refused(double ResonatorSI::*const value, const double bad)
 {
   ResonatorSI device = make_device();
   device.*value = bad;
@@ -169,8 +169,8 @@ TEST(ResonatorSI, ScalesGiveForcesEnergyAndCharge)
   EXPECT_DOUBLE_EQ(scales.energy, 40e3 * 0.02 * 0.02 * 1e-3);
   // Q = permittivity V / L_3 lambda_1A^2 lambda_2^2 L_1A L_2.
   const double voltage = 5e3, area = 3. * 4.;
-  const double charge = 4.7 * vacuum_permittivity * voltage / 1e-3 * area *
-                        area * 0.02 * 0.02;
+  const double charge =
+      4.7 * vacuum_permittivity * voltage / 1e-3 * area * area * 0.02 * 0.02;
   EXPECT_NEAR(scales.charge * (voltage / scales.voltage) * area * area, charge,
               1e-14 * charge);
 }

@@ -9,7 +9,9 @@
 
 namespace taut::lumped
 {
-/// How a resonator can fail.
+/// How a resonator can fail. The balance cannot lose its stability before the
+/// tension: every network's stiffness is at least its stress over lambda_1, so
+/// that Omega_n^2 >= s_1 / lambda_1A + k ds_1B / dlambda_1B > 0 while s_1 > 0.
 enum class ResonatorFailure
 {
   /// s_1 <= 0.
@@ -17,9 +19,7 @@ enum class ResonatorFailure
   /// s_2 <= 0.
   loss_of_tension_2,
   /// V* >= d / (lambda_1A lambda_2).
-  breakdown,
-  /// Omega_n^2 <= 0: the balance of the strips is no longer stable.
-  instability
+  breakdown
 };
 
 enum class ResonatorPlace
