@@ -1,0 +1,132 @@
+#include <taut/base/exceptions.h>
+#include <taut/material/validate.h>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+namespace taut::material
+{
+namespace
+{
+/// Comparisons are written such that a value that is not a number is refused.
+void require(bool fulfilled, const std::string& where,
+             const std::string& quantity, double value,
+             const std::string& allowed)
+{
+  if (fulfilled)
+    return;
+  std::ostringstream message;
+  message << where << ": the " << quantity << " is " << value << ", it must be "
+          << allowed;
+  throw BadInput(message.str());
+}
+
+void require_positive(const std::string& where, const std::string& quantity,
+                      double value)
+{
+  require(value > 0. && std::isfinite(value), where, quantity, value,
+          "positive and finite");
+}
+
+void require_not_negative(const std::string& where, const std::string& quantity,
+                          double value)
+{
+  require(value >= 0. && std::isfinite(value), where, quantity, value,
+          "0 or more and finite");
+}
+
+void require_finite(const std::string& where, const std::string& quantity,
+                    double value)
+{
+  require(std::isfinite(value), where, quantity, value, "finite");
+}
+
+void validate(const NeoHookean& spring, const std::string& where)
+{
+  require_positive(where, "shear modulus (Pa)", spring.shear_modulus);
+}
+
+void validate(const MooneyRivlin& spring, const std::string& where)
+{
+  require_not_negative(where, "first coefficient (Pa)",
+                       spring.first_coefficient);
+  require_not_negative(where, "second coefficient (Pa)",
+                       spring.second_coefficient);
+  require_positive(where, "shear modulus (Pa)", shear_modulus(spring));
+}
+
+void validate(const Gent& spring, const std::string& where)
+{
+  require_positive(where, "shear modulus (Pa)", spring.shear_modulus);
+  require_positive(where, "limit J_lim", spring.limit);
+}
+
+void validate(const Yeoh& spring, const std::string& where)
+{
+  require_positive(where, "first coefficient (Pa)", spring.first_coefficient);
+  require_finite(where, "second coefficient (Pa)", spring.second_coefficient);
+  require_finite(where, "third coefficient (Pa)", spring.third_coefficient);
+}
+
+void validate(const ArrudaBoyce& spring, const std::string& where)
+{
+  require_positive(where, "shear modulus (Pa)", spring.shear_modulus);
+  require(spring.limit_stretch > 1. && std::isfinite(spring.limit_stretch),
+          where, "limit stretch", spring.limit_stretch,
+          "larger than 1 and finite");
+}
+
+void validate(const Spring& spring, const std::string& where)
+{
+  std::visit([&](const auto& law) { validate(law, where); }, spring);
+}
+
+void validate(const ConstantPermittivity& law)
+{
+  require(law.relative >= 1. && std::isfinite(law.relative), "dielectric",
+          "relative permittivity", law.relative,
+          "1 (vacuum) or more and finite");
+}
+
+void validate(const StretchPermittivity& law)
+{
+  const std::string where = "dielectric";
+  require_not_negative(where, "permittivity at high temperature",
+                       law.high_temperature);
+  require_not_negative(where, "dipole coefficient (K)", law.dipole);
+  require_positive(where, "sum of permittivity and dipole coefficient",
+                   law.high_temperature + law.dipole);
+  require_finite(where, "linear stretch coefficient", law.linear);
+  require_finite(where, "quadratic stretch coefficient", law.quadratic);
+  require_finite(where, "cubic stretch coefficient", law.cubic);
+}
+
+void validate(const Dielectric& dielectric)
+{
+  std::visit([](const auto& law) { validate(law); }, dielectric.permittivity);
+  require(dielectric.breakdown_strength > 0., "dielectric",
+          "breakdown strength (V/m)", dielectric.breakdown_strength,
+          "positive (infinity for none)");
+}
+} // namespace
+
+void validate(const Elastomer& elastomer)
+{
+  if (elastomer.springs.empty() && elastomer.networks.empty())
+    throw BadInput("the elastomer has neither a spring nor a network, it needs "
+                   "at least one");
+  require_not_negative("elastomer", "density (kg/m^3)", elastomer.density);
+  unsigned int number = 0;
+  for (const Spring& spring : elastomer.springs)
+    validate(spring, "spring " + std::to_string(++number));
+  number = 0;
+  for (const Network& network : elastomer.networks)
+  {
+    const std::string where = "network " + std::to_string(++number);
+    validate(network.spring, where);
+    require_positive(where, "relaxation time (s)", network.relaxation_time);
+  }
+  validate(elastomer.dielectric);
+}
+} // namespace taut::material
