@@ -29,7 +29,8 @@ void refuse_unit(const std::string& text, const std::string& unit)
                                     "([^-+.,0-9\\s].*)");
   std::smatch parts;
   double value = 0;
-  if (std::regex_match(text, parts, with_unit) && read_number(parts[1], value))
+  if (!read_number(text, value) && std::regex_match(text, parts, with_unit) &&
+      read_number(parts[1], value))
     throw BadInput(
         fmt::format("'{}' carries a unit; numbers stand alone, in SI units: {}",
                     text, in_unit(unit)));
