@@ -79,15 +79,29 @@ void check_film(const CaseText& text, const Film& film,
     text.refuse({"Film " + film.name}, "Axis", "the direction has no length");
 }
 
+/// A motion is prescribed completely or not at all.
 void check_support(const CaseText& text, const structure::Support& support)
 {
+  const SectionPath section = {"Support " + support.name};
   const std::array<const char*, 3> axes{{"x", "y", "z"}};
+  bool moves = false;
   for (unsigned int i = 0; i < 3; ++i)
-    if (!support.held[i] && support.shape[i] != "0")
-      text.refuse({"Support " + support.name}, std::string("Shape ") + axes[i],
+  {
+    const bool shaped = support.shape[i] != "0";
+    if (shaped && !support.held[i])
+      text.refuse(section, std::string("Shape ") + axes[i],
                   fmt::format("a displacement along {} is prescribed, but Held "
                               "does not list {}",
                               axes[i], axes[i]));
+    moves = moves || shaped;
+  }
+  const bool at_rest =
+      support.amplitude.is_constant() && support.amplitude.value(0) == 0;
+  if (moves && at_rest)
+    text.refuse(section, "Amplitude",
+                "a Shape is given, but its factor Amplitude is zero");
+  if (!moves && !at_rest)
+    text.refuse(section, "Amplitude", "there is no Shape that it multiplies");
 }
 
 void check_edge_load(const CaseText& text, const structure::EdgeLoad& load)
@@ -104,6 +118,10 @@ void check_event(const CaseText& text, const structure::EventDescription& event,
 {
   if (event.kind != structure::EventDescription::Kind::breakdown)
     return;
+  if (event.threshold != 0)
+    text.refuse({"Event " + event.name}, "Threshold",
+                "a breakdown has no threshold; its limit is the Breakdown "
+                "strength of the material");
   for (const Film& film : device.films)
     if ((event.of.empty() || event.of == film.name) &&
         std::isfinite(film.material.dielectric.breakdown_strength))

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 #include <ostream>
+#include <sstream>
 
 #include <boost/algorithm/string.hpp>
 
@@ -74,6 +75,16 @@ private:
   dealii::ParameterHandler& handler_;
   std::size_t depth_;
 };
+/// "Film active" for "Flim active" and the kind Film: as many words as the kind
+/// has are replaced.
+std::string exchange_kind(const std::string& name, const std::string& kind)
+{
+  std::size_t blank = name.find(' ');
+  for (auto n = std::count(kind.begin(), kind.end(), ' ');
+       n > 0 && blank != std::string::npos; --n)
+    blank = name.find(' ', blank + 1);
+  return kind + (blank == std::string::npos ? "" : name.substr(blank));
+}
 } // namespace
 
 std::string document(const std::string& meaning, const std::string& allowed,
@@ -153,10 +164,19 @@ std::string Declarations::get_text(const Parameter& parameter) const
 
 void Declarations::write(std::ostream& stream) const
 {
+  std::stringstream printed;
   handler_.print_parameters(
-      stream, static_cast<dealii::ParameterHandler::OutputStyle>(
-                  dealii::ParameterHandler::PRM |
-                  dealii::ParameterHandler::KeepDeclarationOrder));
+      printed, static_cast<dealii::ParameterHandler::OutputStyle>(
+                   dealii::ParameterHandler::PRM |
+                   dealii::ParameterHandler::KeepDeclarationOrder));
+  // A required key has no default to be told.
+  const std::string no_default = "# default: ";
+  for (std::string line; std::getline(printed, line);)
+  {
+    if (boost::ends_with(line, no_default))
+      line.erase(line.size() - no_default.size());
+    stream << boost::trim_right_copy(line) << '\n';
+  }
 }
 
 const Parameter* Declarations::find(const SectionPath& section,
@@ -193,14 +213,10 @@ std::string Declarations::suggest_section(const std::string& name,
     if (kind.parent != parent)
       continue;
     allowed.push_back(kind.name + (kind.named ? " NAME" : ""));
-    const std::size_t blank =
-        name.find(' ', std::count(kind.name.begin(), kind.name.end(), ' ') > 0
-                           ? name.find(' ') + 1
-                           : 0);
-    if (kind.named && blank != std::string::npos)
-      candidates.push_back(kind.name + name.substr(blank));
-    else if (!kind.named)
-      candidates.push_back(kind.name);
+    const std::string candidate =
+        kind.named ? exchange_kind(name, kind.name) : kind.name;
+    if (candidate != name)
+      candidates.push_back(candidate);
   }
   for (const SectionDocumentation& known : sections_)
     if (known.section.size() == parent.size() + 1 &&

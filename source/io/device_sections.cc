@@ -54,8 +54,7 @@ void declare_electrode(Section& section, Electrode& electrode)
 
 void declare_support(Section& section, Support& support)
 {
-  const Format<std::string> formula =
-      text("an expression in x, y, z of the mesh in m");
+  const Format<std::string> shape = formula({"x", "y", "z"}, "m");
   section.required("Groups", support.groups,
                    names("names of physical points, lines or surfaces"),
                    "what is held");
@@ -63,9 +62,9 @@ void declare_support(Section& section, Support& support)
                    "components of the position that are held");
   const std::array<const char*, 3> axes{{"x", "y", "z"}};
   for (unsigned int i = 0; i < 3; ++i)
-    section.optional(std::string("Shape ") + axes[i], support.shape[i], formula,
+    section.optional(std::string("Shape ") + axes[i], support.shape[i], shape,
                      std::string("prescribed displacement along ") + axes[i] +
-                         " for an amplitude of 1, in m");
+                         " for an amplitude of 1, at x, y, z of the mesh in m");
   section.optional("Amplitude", support.amplitude, signal("dimensionless"),
                    "factor of the shape in time");
 }
@@ -95,7 +94,7 @@ void declare_bar(Section& section, RigidBar& bar)
   section.required("Mass", bar.mass, number(not_negative(), "kg"),
                    "total mass, of both bars if one is glued on each face");
   section.optional("Rotary inertia", bar.rotary_inertia,
-                   optional_number(positive(), "kg m^2", "uniform rod"),
+                   optionally(number(positive(), "kg m^2"), "uniform rod"),
                    "about the axes across the bar; a uniform rod has mass "
                    "length^2/12");
   section.optional("Free", bar.free, directions(),
@@ -137,7 +136,7 @@ void declare_device(Declarations& all, const CaseText& text, CaseDraft& draft)
                device.pressures, declare_pressure);
   declare_list(all, text, {}, "Edge load", "a dead load on lines",
                device.edge_loads, declare_edge_load);
-  declare_observation(all, text, device);
+  declare_observation(all, text, draft);
   all.allow_section({}, "Environment", false);
   declare_environment(all.section({"Environment"}, "gravity and air"),
                       device.environment);

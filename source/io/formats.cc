@@ -1,5 +1,4 @@
 #include <taut/base/exceptions.h>
-#include <taut/base/nearest_name.h>
 #include <taut/base/number_text.h>
 #include <taut/io/formats.h>
 
@@ -52,16 +51,6 @@ double read_checked(const std::string& text, const Range& range,
   return value;
 }
 
-std::vector<std::string> split(const std::string& text)
-{
-  std::vector<std::string> parts;
-  boost::split(parts, text, [](char c) { return c == ','; });
-  std::transform(parts.begin(), parts.end(), parts.begin(),
-                 [](const std::string& part)
-                 { return boost::trim_copy(part); });
-  return parts;
-}
-
 template <class Numbers>
 std::string write_list(const Numbers& values)
 {
@@ -80,7 +69,7 @@ Format<std::array<double, n>> array_of_numbers(const Range& range,
   Format<std::array<double, n>> format;
   format.read = [=](const std::string& text)
   {
-    const std::vector<std::string> parts = split(text);
+    const std::vector<std::string> parts = split_list(text);
     if (parts.size() != n)
       throw BadInput(
           fmt::format("'{}' is not of this form: {}", text, allowed));
@@ -168,30 +157,11 @@ Format<double> number(const Range& range, const std::string& unit)
           number_text, "a number " + range.to_text(), unit};
 }
 
-Format<std::optional<double>> optional_number(const Range& range,
-                                              const std::string& unit,
-                                              const std::string& otherwise)
-{
-  Format<std::optional<double>> format;
-  format.read = [=](const std::string& text) -> std::optional<double>
-  {
-    if (text == otherwise)
-      return std::nullopt;
-    return read_checked(text, range, unit);
-  };
-  format.write = [=](const std::optional<double>& value)
-  { return value ? number_text(*value) : otherwise; };
-  format.allowed =
-      fmt::format("a number {}, or '{}'", range.to_text(), otherwise);
-  format.unit = unit;
-  return format;
-}
-
 Format<double> number_or(const Range& range, const std::string& unit,
                          const std::string& otherwise, const double value)
 {
   const Format<std::optional<double>> plain =
-      optional_number(range, unit, otherwise);
+      optionally(number(range, unit), otherwise);
   return {[=](const std::string& text)
           { return plain.read(text).value_or(value); },
           [=](const double& number)
@@ -206,7 +176,7 @@ Format<std::vector<double>> numbers(const Range& range, const std::string& unit)
   {
     std::vector<double> values;
     if (text != "none")
-      for (const std::string& part : split(text))
+      for (const std::string& part : split_list(text))
         values.push_back(read_checked(part, range, unit));
     return values;
   };
@@ -240,7 +210,7 @@ Format<std::map<std::string, double>> named_numbers(const std::string& unit)
     std::map<std::string, double> values;
     if (text == "none")
       return values;
-    for (const std::string& part : split(text))
+    for (const std::string& part : split_list(text))
     {
       const std::size_t colon = part.find(':');
       if (colon == std::string::npos || colon == 0)
@@ -281,40 +251,6 @@ Format<int> small_count(const int lowest, const int highest)
   return whole_number<int>(lowest, highest);
 }
 
-Format<bool> yes_no()
-{
-  return choice<bool>({{"true", true}, {"false", false}});
-}
-
-Format<std::string> text(const std::string& allowed)
-{
-  const auto same = [](const std::string& value) { return value; };
-  return {same, same, allowed, ""};
-}
-
-Format<std::vector<std::string>> names(const std::string& what)
-{
-  Format<std::vector<std::string>> format;
-  format.read = [=](const std::string& text)
-  {
-    const std::vector<std::string> parts = split(text);
-    for (auto part = parts.begin(); part != parts.end(); ++part)
-    {
-      if (part->empty())
-        throw BadInput(fmt::format("a name is missing; allowed are {}, "
-                                   "separated by commas",
-                                   what));
-      if (std::find(parts.begin(), part, *part) != part)
-        throw BadInput(fmt::format("'{}' is listed twice", *part));
-    }
-    return parts;
-  };
-  format.write = [](const std::vector<std::string>& values)
-  { return boost::algorithm::join(values, ", "); };
-  format.allowed = what + ", separated by commas";
-  return format;
-}
-
 Format<Signal> signal(const std::string& unit)
 {
   Format<Signal> format;
@@ -330,74 +266,4 @@ Format<Signal> signal(const std::string& unit)
   return format;
 }
 
-Format<std::array<bool, 3>> directions()
-{
-  const std::vector<std::string> axes = {"x", "y", "z"};
-  Format<std::array<bool, 3>> format;
-  format.read = [=](const std::string& text)
-  {
-    std::array<bool, 3> values{{false, false, false}};
-    if (text == "none")
-      return values;
-    for (const std::string& part : split(text))
-    {
-      const auto axis = std::find(axes.begin(), axes.end(), part);
-      if (axis == axes.end())
-        throw BadInput(fmt::format("'{}' is no direction; allowed are x, y, z, "
-                                   "separated by commas, or none",
-                                   part));
-      values[axis - axes.begin()] = true;
-    }
-    return values;
-  };
-  format.write = [=](const std::array<bool, 3>& values)
-  {
-    std::vector<std::string> parts;
-    for (unsigned int i = 0; i < 3; ++i)
-      if (values[i])
-        parts.push_back(axes[i]);
-    return parts.empty() ? "none" : boost::algorithm::join(parts, ", ");
-  };
-  format.allowed = "x, y, z, separated by commas, or none";
-  return format;
-}
-
-Format<std::string> one_of(const std::vector<std::string>& texts)
-{
-  const auto read = [=](const std::string& text)
-  {
-    if (std::find(texts.begin(), texts.end(), text) == texts.end())
-      throw BadInput(
-          fmt::format("'{}' is not allowed; {}", text, suggest(text, texts)));
-    return text;
-  };
-  return {read, [](const std::string& text) { return text; },
-          boost::algorithm::join(texts, " | "), ""};
-}
-
-Format<int> word(const std::vector<std::pair<std::string, int>>& words)
-{
-  std::vector<std::string> known;
-  for (const auto& entry : words)
-    known.push_back(entry.first);
-  const Format<std::string> plain = one_of(known);
-  Format<int> format;
-  format.read = [=](const std::string& text)
-  {
-    const std::string name = plain.read(text);
-    return std::find_if(words.begin(), words.end(),
-                        [&name](const auto& entry)
-                        { return entry.first == name; })
-        ->second;
-  };
-  format.write = [=](const int& wanted)
-  {
-    for (const auto& [name, value] : words)
-      if (value == wanted)
-        return name;
-    throw BadInput(fmt::format("no word stands for {}", wanted));
-  };
-  format.allowed = plain.allowed;
-  return format;
-}
 } // namespace taut::io

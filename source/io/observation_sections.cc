@@ -33,7 +33,7 @@ Format<unsigned int> component()
       {{"x", 0}, {"y", 1}, {"z", 2}, {"first", 0}, {"second", 1}});
 }
 
-void declare_probe(Section& section, Probe& probe)
+void declare_probe(Section& section, Probe& probe, ProbePoint& point)
 {
   section.required("Quantity", probe.kind, probe_kind(),
                    "what is recorded, in SI units");
@@ -41,7 +41,8 @@ void declare_probe(Section& section, Probe& probe)
                    text("a name, or empty for a point given by Point"),
                    "the bar, electrode, support or film; for points and "
                    "volumes a group of the mesh");
-  section.optional("Point", probe.point, three_numbers(any(), "m"),
+  section.optional("Point", point,
+                   optionally(three_numbers(any(), "m"), "none"),
                    "the point in the mesh if Of is empty");
   section.optional("Component", probe.component, component(),
                    "component of a vector, or axis of the film");
@@ -78,10 +79,17 @@ void declare_event(Section& section, EventDescription& event)
 } // namespace
 
 void declare_observation(Declarations& all, const CaseText& text,
-                         structure::Device& device)
+                         CaseDraft& draft)
 {
+  structure::Device& device = draft.content.device;
+  draft.probe_points.resize(text.names_of({}, "Probe").size());
   declare_list(all, text, {}, "Probe", "a number recorded in history.csv",
-               device.probes, declare_probe);
+               device.probes,
+               [&](Section& section, Probe& probe)
+               {
+                 declare_probe(section, probe,
+                               draft.probe_points[&probe - &device.probes[0]]);
+               });
   declare_list(all, text, {}, "Event", "a condition located in time",
                device.events, declare_event);
 }

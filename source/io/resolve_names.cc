@@ -109,6 +109,8 @@ struct Referred
 {
   std::string what;
   std::vector<std::string> known;
+  /// Whether several names are allowed, separated by commas.
+  bool is_list = false;
 };
 
 Referred referred_by(const Probe::Kind kind, const structure::Device& device)
@@ -118,8 +120,9 @@ Referred referred_by(const Probe::Kind kind, const structure::Device& device)
   case Probe::Kind::position:
   case Probe::Kind::displacement:
   case Probe::Kind::velocity:
-  case Probe::Kind::volume:
     return {};
+  case Probe::Kind::volume:
+    return {"surface with a film", film_surfaces(device), true};
   case Probe::Kind::bar_displacement:
   case Probe::Kind::bar_velocity:
   case Probe::Kind::bar_rotation:
@@ -135,26 +138,28 @@ Referred referred_by(const Probe::Kind kind, const structure::Device& device)
   }
 }
 
-void check_probe(const CaseText& text, const Probe& probe,
-                 const structure::Device& device)
+void resolve_probe(const CaseText& text, const structure::Device& device,
+                   const ProbePoint& point, Probe& probe)
 {
   const SectionPath section = {"Probe " + probe.name};
   const Referred referred = referred_by(probe.kind, device);
   if (!referred.what.empty())
-    check_name(text, section, "Of", probe.of, referred.what, referred.known);
-  const bool at_point = referred.what.empty() &&
-                        probe.kind != Probe::Kind::volume && probe.of.empty();
-  if (at_point && !text.find(section, "Point"))
+    for (const std::string& name : referred.is_list
+                                       ? split_list(probe.of)
+                                       : std::vector<std::string>{probe.of})
+      check_name(text, section, "Of", name, referred.what, referred.known);
+  if (referred.what == "film" && probe.component > 1)
+    text.refuse(section, "Component", "a film has the axes first and second");
+  const bool at_point = referred.what.empty() && probe.of.empty();
+  if (at_point && !point)
     text.refuse(section, "Point",
                 "the probe needs a place: give Point, or Of for a group of "
                 "the mesh");
-  if (!at_point && text.find(section, "Point"))
+  if (!at_point && point)
     text.refuse(section, "Point",
-                "the probe of a named part does not use Point; it is for "
-                "position, displacement and velocity with an empty Of");
-  const bool of_film = referred.what == "film";
-  if (of_film && probe.component > 1)
-    text.refuse(section, "Component", "a film has the axes first and second");
+                "a probe of a named part has no use for Point, which goes with "
+                "position, displacement and velocity and an empty Of");
+  probe.point = point.value_or(probe.point);
 }
 
 void check_event(const CaseText& text, const EventDescription& event,
@@ -191,11 +196,11 @@ void resolve_comparison(const CaseText& text, CaseDraft& draft)
 
 void resolve_names(const CaseText& text, CaseDraft& draft)
 {
-  const structure::Device& device = draft.content.device;
+  structure::Device& device = draft.content.device;
   resolve_materials(text, draft);
   check_surfaces(text, device);
-  for (const Probe& probe : device.probes)
-    check_probe(text, probe, device);
+  for (std::size_t i = 0; i < device.probes.size(); ++i)
+    resolve_probe(text, device, draft.probe_points[i], device.probes[i]);
   for (const EventDescription& event : device.events)
     check_event(text, event, device);
   resolve_comparison(text, draft);

@@ -27,6 +27,8 @@ struct MaterialDraft : structure::Named
   std::vector<NamedNetwork> networks;
 };
 
+using ProbePoint = std::optional<std::array<double, 3>>;
+
 /// A case while it is read: names are not yet resolved.
 struct CaseDraft
 {
@@ -34,6 +36,8 @@ struct CaseDraft
   std::vector<MaterialDraft> materials;
   /// Per film.
   std::vector<std::string> film_materials;
+  /// Per probe.
+  std::vector<ProbePoint> probe_points;
   study::ComparisonDescription comparison;
 };
 
@@ -51,7 +55,7 @@ void declare_materials(Declarations& all, const CaseText& text,
                        std::vector<MaterialDraft>& materials);
 void declare_device(Declarations& all, const CaseText& text, CaseDraft& draft);
 void declare_observation(Declarations& all, const CaseText& text,
-                         structure::Device& device);
+                         CaseDraft& draft);
 void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft);
 void declare_lumped_resonator(Declarations& all,
                               study::LumpedResonatorDescription& resonator);

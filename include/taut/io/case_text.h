@@ -42,8 +42,8 @@ public:
   static CaseText parse(const std::string& text, const std::string& file);
 
   /// Adds or replaces an entry as `Section/Key = value` says, the text of a
-  /// `--set`. Errors: BadInput that names the option: not of this form, given
-  /// twice, a section that the file lacks although only files open it.
+  /// `--set`. Errors: BadInput that names the option if it is not of this form
+  /// or the key is overridden twice.
   void override_entry(const std::string& option);
 
   /// Errors: BadInput if the section is open already.

@@ -54,10 +54,6 @@ Range above(double lowest);
 /// A number in SI units. Text with a unit behind the number, nan and inf are
 /// refused.
 Format<double> number(const Range& range, const std::string& unit);
-/// Like `number`, or the word `otherwise` for none.
-Format<std::optional<double>> optional_number(const Range& range,
-                                              const std::string& unit,
-                                              const std::string& otherwise);
 /// Like `number`, or the word `otherwise` that stands for `value`.
 Format<double> number_or(const Range& range, const std::string& unit,
                          const std::string& otherwise, double value);
@@ -89,6 +85,33 @@ Format<std::string> one_of(const std::vector<std::string>& texts);
 /// One of `words`; the first word of a value is the one written.
 /// Errors of read: BadInput with the nearest word.
 Format<int> word(const std::vector<std::pair<std::string, int>>& words);
+
+/// An expression in `variables` and pi in the language of muParser, with a
+/// value in `unit`.
+Format<std::string> formula(const std::vector<std::string>& variables,
+                            const std::string& unit);
+
+/// The parts of a comma-separated list, without blanks around them.
+std::vector<std::string> split_list(const std::string& text);
+
+/// What `format` allows, or the word `otherwise` for none.
+template <class T>
+Format<std::optional<T>> optionally(const Format<T>& format,
+                                    const std::string& otherwise)
+{
+  Format<std::optional<T>> result;
+  result.read = [=](const std::string& text) -> std::optional<T>
+  {
+    if (text == otherwise)
+      return std::nullopt;
+    return format.read(text);
+  };
+  result.write = [=](const std::optional<T>& value)
+  { return value ? format.write(*value) : otherwise; };
+  result.allowed = format.allowed + ", or '" + otherwise + "'";
+  result.unit = format.unit;
+  return result;
+}
 
 /// One of `words` that stand for the values of an enumeration.
 template <class Enumeration>
