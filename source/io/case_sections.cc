@@ -2,6 +2,59 @@
 
 namespace taut::io
 {
+namespace
+{
+/// A case with one section of every kind, and one spring of every law.
+const char* const film_prototype = R"(
+subsection Material NAME
+  subsection Spring neo-Hookean
+    set Law = neo-Hookean
+  end
+  subsection Spring Mooney-Rivlin
+    set Law = Mooney-Rivlin
+  end
+  subsection Spring Gent
+    set Law = Gent
+  end
+  subsection Spring Yeoh
+    set Law = Yeoh
+  end
+  subsection Spring Arruda-Boyce
+    set Law = Arruda-Boyce
+  end
+  subsection Network NAME
+    set Law = neo-Hookean
+  end
+  subsection Dielectric
+    set Permittivity = constant
+  end
+end
+subsection Material NAME (stretch-dependent permittivity)
+  subsection Dielectric
+    set Permittivity = stretch-dependent
+  end
+end
+subsection Film NAME
+end
+subsection Electrode NAME
+end
+subsection Support NAME
+end
+subsection Bar NAME
+end
+subsection Pressure NAME
+end
+subsection Edge load NAME
+end
+subsection Probe NAME
+end
+subsection Event NAME
+end
+subsection Comparison
+end
+)";
+} // namespace
+
 void declare_case(Declarations& all, const CaseText& text, CaseDraft& draft)
 {
   study::Case& content = draft.content;
@@ -23,5 +76,11 @@ void declare_case(Declarations& all, const CaseText& text, CaseDraft& draft)
     declare_device(all, text, draft);
   }
   declare_study(all, text, draft);
+}
+
+void declare_everything(Declarations& all, CaseDraft& draft)
+{
+  declare_case(all, CaseText::parse(film_prototype, "prototype.prm"), draft);
+  declare_lumped_resonator(all, draft.content.lumped_resonator);
 }
 } // namespace taut::io

@@ -41,7 +41,8 @@ study::Case read_case(const std::string& file,
                       const std::vector<std::string>& overrides = {});
 
 /// Writes the sections of a case file with every key, its default, meaning,
-/// range and unit: all of them, or those whose name is `section` ("Film",
-/// "Integrator"). Errors: BadInput with the nearest name if there is none.
+/// range and unit: all of them, or those called `section` ("Film",
+/// "Integrator") and the sections inside them. Errors: BadInput with the
+/// nearest name if there is none.
 void describe(std::ostream& stream, const std::string& section = "");
 } // namespace taut::io
