@@ -12,6 +12,8 @@ namespace
 // The constants of ARKODE.
 constexpr double forgetting = 0.3;
 constexpr double divergence = 2.3;
+/// No rate below this is believed, see the class.
+constexpr double best_rate = 0.01;
 } // namespace
 
 double NewtonConvergence::compute_slowest_rate() const
@@ -31,7 +33,7 @@ int NewtonConvergence::test(const int iteration, const double correction,
   factorisations_ = system_.factorisations();
   if (iteration > 0)
     rate_ = std::max(forgetting * rate_, correction / previous_correction_);
-  rate_ = std::max(rate_, compute_slowest_rate());
+  rate_ = std::max({rate_, compute_slowest_rate(), best_rate});
   if (std::min(rate_, 1.) * correction <= tolerance)
     return SUN_NLS_SUCCESS;
   if (iteration > 0 && correction > divergence * previous_correction_)

@@ -16,6 +16,12 @@ namespace taut::time
 /// the tolerance in one step of a linear oscillator. With corrections scaled
 /// by 2/(1 + r), r = gamma/gamma_factors, the iteration matrix has
 /// the spectral radius |1 - r|/(1 + r): the lower bound used here.
+///
+/// The other lower bound, 0.01, is for what the norm does not see. Scalars and
+/// whatever else weighs nothing are as good as the state at which f was
+/// evaluated last, one iteration behind. Measured on viscous oscillators: the
+/// defect of the energy balance falls by a factor of 1000 (5e-4 to 1e-6) for
+/// 1 to 5 % more iterations; a larger bound gains nothing.
 class NewtonConvergence
 {
 public:

@@ -140,15 +140,14 @@ TEST(Integrate, EnergyIsConservedWithTheDissipatedScalar)
     Oscillators system = make_system();
     std::vector<double> state = system.make_start();
     const double start = system.compute_energy(state.data());
-    // Only displacements are controlled: tighten them until the velocities
-    // and rates that the power needs are right as well.
     integrate(system, state.data(), make_schedule(.1),
-              make_options(1e-11, method), {}, {});
+              make_options(1e-10, method), {}, {});
     const double end = system.compute_energy(state.data());
     const bool owns_scalar = system.layout().scalars > 0;
     const double dissipated = system.sum(owns_scalar ? state.back() : 0);
     EXPECT_LT(end, .9 * start);
-    EXPECT_NEAR((end + dissipated) / start, 1, 2e-4);
+    // As accurate as the displacements, 1e-7 of which are a local error.
+    EXPECT_NEAR((end + dissipated) / start, 1, 1e-5);
   }
 }
 
