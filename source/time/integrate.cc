@@ -5,9 +5,9 @@
 #include <optional>
 #include <sstream>
 
-#include "events.h"
-#include "stepper.h"
-#include "stops.h"
+#include "integrate_events.h"
+#include "integrate_stepper.h"
+#include "integrate_stops.h"
 
 namespace taut::time
 {

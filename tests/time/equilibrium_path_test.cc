@@ -21,7 +21,7 @@ ScalarProblem make_spring()
 }
 } // namespace
 
-TEST(StaticPath, EveryAcceptedPointIsAnEquilibrium)
+TEST(EquilibriumPath, EveryAcceptedPointIsAnEquilibrium)
 {
   for (const double end : {10., -10.})
   {
@@ -48,7 +48,7 @@ TEST(StaticPath, EveryAcceptedPointIsAnEquilibrium)
   }
 }
 
-TEST(StaticPath, CutsBackWhereAStepIsTooLong)
+TEST(EquilibriumPath, CutsBackWhereAStepIsTooLong)
 {
   // Admissible only within .3 of the last equilibrium.
   double last = 0;
@@ -74,7 +74,7 @@ TEST(StaticPath, CutsBackWhereAStepIsTooLong)
   EXPECT_NEAR(x, 2, 1e-9);
 }
 
-TEST(StaticPath, GivesUpAtAFold)
+TEST(EquilibriumPath, GivesUpAtAFold)
 {
   // x^2 - 2 x + load = 0: x = 1 - sqrt(1 - load) up to load 1.
   ScalarProblem problem([](const double load, const double x)
@@ -103,7 +103,7 @@ TEST(StaticPath, GivesUpAtAFold)
   EXPECT_NEAR(x, 1 - std::sqrt(std::max(0., 1 - last_load)), 2e-5);
 }
 
-TEST(StaticPath, OtherFailuresPropagate)
+TEST(EquilibriumPath, OtherFailuresPropagate)
 {
   ScalarProblem problem = make_spring();
   double x = 0;
@@ -116,4 +116,20 @@ TEST(StaticPath, OtherFailuresPropagate)
                        [](double, double) { return 1.; }, 1);
   EXPECT_THROW(follow_path(broken, 0, 1, &x, {}, [](double, const double*) {}),
                std::logic_error);
+}
+
+TEST(EquilibriumPath, RefusesStepsThatAreNotPositive)
+{
+  for (double PathOptions::*step :
+       {&PathOptions::first_step, &PathOptions::smallest_step,
+        &PathOptions::largest_step})
+  {
+    ScalarProblem problem = make_spring();
+    double x = 0;
+    PathOptions options;
+    options.*step = 0;
+    EXPECT_THROW(
+        follow_path(problem, 0, 1, &x, options, [](double, const double*) {}),
+        BadInput);
+  }
 }

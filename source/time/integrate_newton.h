@@ -1,7 +1,7 @@
 #pragma once
 
-#include "guarded_system.h"
-#include "sundials_support.h"
+#include "system_guard.h"
+#include "system_sundials.h"
 
 namespace taut::time
 {

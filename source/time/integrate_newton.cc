@@ -1,4 +1,4 @@
-#include "newton_convergence.h"
+#include "integrate_newton.h"
 
 #include <arkode/arkode_arkstep.h>
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <vector>
 
-#include "error_weights.h"
-#include "hermite.h"
-#include "newton_convergence.h"
-#include "stepper.h"
-#include "sundials_support.h"
+#include "integrate_hermite.h"
+#include "integrate_newton.h"
+#include "integrate_stepper.h"
+#include "integrate_weights.h"
+#include "system_sundials.h"
 
 namespace taut::time
 {

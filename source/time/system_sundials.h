@@ -11,7 +11,7 @@
 #include <string>
 #include <type_traits>
 
-#include "communicator.h"
+#include "system_communicator.h"
 
 /// Owners of the C objects of SUNDIALS, and the matrix and linear solver that
 /// hand all work to Taut.

@@ -89,6 +89,21 @@ TEST_P(Failures, RejectionByOneRankIsSeenByAll)
   EXPECT_NE(failed.message.find("only rank 0"), std::string::npos);
 }
 
+TEST_P(Failures, FailureOfOneRankEndsAll)
+{
+  // The other ranks learn the reason as a SolverFailed.
+  const auto fail_on_rank_0 = [](Oscillators& system)
+  {
+    if (system.layout().scalars > 0)
+      system.after_evaluate = [](const double t)
+      {
+        if (t > .01)
+          throw SolverFailed("broken on rank 0");
+      };
+  };
+  EXPECT_EQ(attempt(GetParam(), fail_on_rank_0).message, "broken on rank 0");
+}
+
 TEST_P(Failures, FirstEvaluationRejected)
 {
   const Attempt failed = attempt(
@@ -168,4 +183,23 @@ TEST(FailuresOfObservers, Propagate)
       integrate(system, state.data(), schedule, {}, {}, observer, &reached),
       std::logic_error);
   EXPECT_GT(reached, .01);
+}
+
+TEST(FailuresOfLayouts, VelocitiesThatDoNotMatchPositions)
+{
+  struct Wrong : Oscillators
+  {
+    using Oscillators::Oscillators;
+    StateLayout layout() const override
+    {
+      StateLayout layout = Oscillators::layout();
+      ++layout.velocities;
+      return layout;
+    }
+  } system(members, Oscillators::Kind::inertial);
+  std::vector<double> state(system.layout().size());
+  Schedule schedule;
+  schedule.end = 1;
+  EXPECT_THROW(integrate(system, state.data(), schedule, {}, {}, {}),
+               std::logic_error);
 }

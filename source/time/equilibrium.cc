@@ -8,9 +8,9 @@
 #include <sstream>
 #include <vector>
 
-#include "callback_guard.h"
-#include "guarded_system.h"
-#include "sundials_support.h"
+#include "system_callback.h"
+#include "system_guard.h"
+#include "system_sundials.h"
 
 namespace taut::time
 {
