@@ -140,20 +140,29 @@ void add_mass(const FilmCells& cells, const std::vector<double>& densities,
   }
 }
 
-void add_weight(const FilmCells& cells, const std::array<double, 3>& gravity,
-                NodalVector& forces)
+void add_mass_product(const FilmCells& cells,
+                      const std::vector<double>& densities,
+                      const NodalVector& x, NodalVector& result)
 {
   const ReferenceElement& element = cells.element();
-  for (unsigned int cell = 0; cell < cells.cells().size(); ++cell)
+  const unsigned int n = element.n_nodes;
+  for (unsigned int index = 0; index < cells.cells().size(); ++index)
   {
-    const FilmCell& members = cells.cells()[cell];
-    const double density = cells.films()[members.film].elastomer->density;
-    for (unsigned int q = 0; q < element.n_nodes; ++q)
-      for (unsigned int a = 0; a < element.n_nodes; ++a)
-        for (unsigned int d = 0; d < 3; ++d)
-          forces.local_element(3 * members.nodes[a] + d) +=
-              density * gravity[d] * cells.volume(cell, q) *
-              element.values[q * element.n_nodes + a];
+    const FilmCell& cell = cells.cells()[index];
+    for (unsigned int q = 0; q < n; ++q)
+    {
+      const double* values = &element.values[q * n];
+      const double mass = densities[cell.film] * cells.volume(index, q);
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        double at_point = 0;
+        for (unsigned int b = 0; b < n; ++b)
+          at_point += values[b] * x.local_element(3 * cell.nodes[b] + d);
+        for (unsigned int a = 0; a < n; ++a)
+          result.local_element(3 * cell.nodes[a] + d) +=
+              mass * values[a] * at_point;
+      }
+    }
   }
 }
 

@@ -76,9 +76,11 @@ void add_stiffness(const FilmCells& cells, const std::vector<BatchLaw>& laws,
 void add_mass(const FilmCells& cells, const std::vector<double>& densities,
               TangentMatrix& matrix);
 
-/// forces += weight of the films under `gravity` (m/s^2).
-void add_weight(const FilmCells& cells, const std::array<double, 3>& gravity,
-                NodalVector& forces);
+/// result += (consistent mass of films with the given densities) x, all nodes
+/// taken as independent.
+void add_mass_product(const FilmCells& cells,
+                      const std::vector<double>& densities,
+                      const NodalVector& x, NodalVector& result);
 
 /// forces += change of the internal forces for (alpha - dA'/dA)^{-1} r.
 void add_force_change(const FilmCells& cells, const std::vector<BatchLaw>& laws,

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <taut/structure/description.h>
+
+#include <vector>
+
+namespace taut::structure
+{
+/// The values of all signals of a device at one time, in the order of the
+/// description, with their first rates (per s) and, for supports, second.
+struct LoadState
+{
+  std::vector<double> voltages, voltage_rates;    ///< (V)
+  std::vector<double> pressures, pressure_rates;  ///< (Pa)
+  std::vector<double> edge_forces, edge_rates;    ///< (N/m)
+  std::vector<double> amplitudes, amplitude_rates, amplitude_second_rates;
+};
+
+/// Reads the signals between two of their kinks as the smooth functions they
+/// are there: at the end of the interval a jump has not happened yet, at its
+/// start it has.
+class LoadHistory
+{
+public:
+  explicit LoadHistory(const Device& device);
+
+  /// The interval that begins at `start` and ends at the next kink.
+  void enter_interval(double start);
+  LoadState at(double time) const;
+  /// All kinks in (start, end), increasing.
+  std::vector<double> stop_times(double start, double end) const;
+  /// True if any support ever moves.
+  bool has_moving_supports() const;
+
+private:
+  template <typename Function>
+  void for_each_signal(const Function& function) const;
+  double read(const Signal& signal, double time) const;
+  double inside(double time) const;
+
+  std::vector<Signal> voltages_, pressures_, edges_, amplitudes_;
+  double start_;
+  double end_;
+};
+} // namespace taut::structure

@@ -1,0 +1,189 @@
+#pragma once
+
+#include <taut/fe/film_assembly.h>
+#include <taut/fe/linear_solver.h>
+#include <taut/structure/device_nodes.h>
+#include <taut/structure/loads.h>
+
+#include <memory>
+#include <vector>
+
+namespace taut::structure
+{
+/// How the internal variables enter a static question.
+enum class Networks
+{
+  as_given, ///< the given values count
+  relaxed   ///< every network is stress-free: A = C^{-1}
+};
+
+/// Sums over all ranks that a change of state in time produces.
+struct Powers
+{
+  double dissipation = 0; ///< in the networks (W)
+  double drag = 0;        ///< lost to the air (W)
+  /// Of voltage sources (- Q dV/dt), dead loads (- dF/dt . u), pressures and
+  /// moving supports (W); see Energies::total.
+  double work = 0;
+};
+
+struct Energies
+{
+  double kinetic = 0;    ///< (J)
+  double stored = 0;     ///< springs and networks (J)
+  double electric = 0;   ///< (1/2) Q V (J)
+  /// - F . u, in quasi-static problems also - p (volume) (J)
+  double dead_loads = 0;
+  /// kinetic + stored - electric + dead_loads: what the balance follows.
+  double total() const { return kinetic + stored - electric + dead_loads; }
+};
+
+/// A device on its mesh: all forces, masses and tangents of its free unknowns.
+///
+/// The free unknowns u are displacements (m) of the free components of this
+/// rank's nodes, bars included; `internal` are the internal variables of its
+/// cells. All methods are collective unless they say otherwise.
+class Structure
+{
+public:
+  /// `triangulation` holds `mesh`, refined as wanted, and outlives this.
+  /// Errors: BadInput as in make_device_nodes, and for cells without a film,
+  /// groups used by two films, electrodes or loads on nothing.
+  Structure(const Device& device, const fe::MeshData& mesh,
+            const fe::Triangulation& triangulation);
+  ~Structure();
+
+  const Device& device() const { return device_; }
+  const fe::MeshData& mesh() const { return mesh_; }
+  const dealii::DoFHandler<2, 3>& dof_handler() const { return dof_handler_; }
+  const fe::Nodes& nodes() const { return device_nodes_.nodes; }
+  const DeviceNodes& device_nodes() const { return device_nodes_; }
+  const fe::FilmCells& cells() const { return *cells_; }
+  MPI_Comm communicator() const;
+
+  std::size_t n_free() const { return free_.size(); }
+  std::size_t n_internal() const { return cells_->n_internal(); }
+  /// Index of each free unknown among the owned entries, 3 node + component.
+  const std::vector<unsigned int>& free_unknowns() const { return free_; }
+  /// Over all ranks.
+  std::size_t n_free_global() const;
+
+  /// Positions (m) of all local nodes for displacements u under `loads`.
+  const fe::NodalVector& compute_positions(const LoadState& loads,
+                                           const double* u);
+  /// Velocities (m/s) of all local nodes, as the inertia sees them.
+  fe::NodalVector compute_velocities(const LoadState& loads, const double* v);
+  std::vector<fe::BatchLaw> make_laws(const LoadState& loads,
+                                      Networks networks) const;
+
+  /// forces = external minus internal forces on the free unknowns (N) and, if
+  /// `rates` is given, the rates of the internal variables.
+  /// Errors: StepRejected, with the place, if a spring is beyond its limit.
+  void compute_forces(const LoadState& loads, const double* u,
+                      const double* internal, Networks networks, double* forces,
+                      double* rates);
+  /// Powers at the last compute_forces, without drag. `velocities` are null in
+  /// quasi-static problems.
+  Powers compute_powers(const LoadState& loads,
+                        const fe::NodalVector* velocities) const;
+  /// Norm of the nodal internal forces before they cancelled (N).
+  double internal_force_norm() const { return internal_force_norm_; }
+  /// Charge of every electrode at the last compute_forces (C).
+  std::vector<double> compute_charges(const LoadState& loads) const;
+  /// Residual force that a support carries, external minus internal, at the
+  /// last compute_forces: its reaction without inertia (N).
+  std::array<double, 3> compute_reaction(unsigned int support) const;
+
+  /// (1/3) int x . n dA over surface groups at the last positions (m^3): the
+  /// enclosed volume if they close, or would with surfaces whose planes pass
+  /// through the origin.
+  double compute_volume(const std::vector<std::string>& groups) const;
+
+  Energies compute_energies(const LoadState& loads, const double* u,
+                            const double* v, const double* internal);
+
+  /// Assembles and factorises the tangent (see fe::TangentRequest).
+  void factorise(const LoadState& loads, const double* u,
+                 const double* internal, Networks networks, double alpha,
+                 bool inertia, fe::LinearSolver::Kind kind);
+  /// d = tangent^{-1} r on the free unknowns. Not a copy: may be one array.
+  void solve(const double* r, double* d);
+  /// Negative eigenvalues of the last factorised symmetric tangent.
+  int count_negative_eigenvalues();
+  /// result = tangent x, without a factorisation.
+  void multiply_tangent(const LoadState& loads, const double* u,
+                        const double* internal, Networks networks, double alpha,
+                        bool inertia, bool symmetric, const double* x,
+                        double* result);
+
+  /// forces += change of the forces for (alpha - dA'/dA)^{-1} r at the state of
+  /// the last factorise; internal change likewise.
+  void add_force_change(double alpha, const double* r, double* forces);
+  void compute_internal_change(double alpha, const double* du, const double* r,
+                               double* change);
+
+  /// result = M x, D x, M^{-1} b on the free unknowns. The matrices are made at
+  /// the first call.
+  void multiply_mass(const double* x, double* result);
+  void multiply_drag(const double* x, double* result);
+  void solve_mass(const double* b, double* x);
+  bool has_drag() const { return device_.environment.air_drag > 0; }
+  /// M a on the free unknowns for the accelerations of moving supports, given
+  /// by the second rates of their amplitudes (or M v by their rates).
+  std::vector<double>
+  compute_support_inertia(const std::vector<double>& rates) const;
+
+  /// Free unknowns of a nodal vector and back (local, no ghosts).
+  void restrict(const fe::NodalVector& nodal, double* free) const;
+  void prolong(const double* free, fe::NodalVector& nodal) const;
+
+private:
+  void make_cells();
+  fe::PressureLoad make_pressure(const std::vector<std::string>& groups) const;
+  void make_weight();
+  fe::NodalVector make_edge_load(const EdgeLoad& load) const;
+  std::vector<double> get_densities() const;
+  double get_displacement(std::size_t entry) const;
+  void collect_and_compress(fe::NodalVector& forces);
+  void add_bar_forces(fe::NodalVector& forces) const;
+  void add_bar_tangent(const fe::TangentRequest& request,
+                       fe::TangentMatrix& matrix) const;
+  void set_tangent_state(const LoadState& loads, const double* u,
+                         const double* internal, Networks networks);
+  void solve_with(fe::LinearSolver& solver, const double* r, double* d) const;
+  void multiply_with(const fe::TangentMatrix& matrix, const double* x,
+                     double* result) const;
+  void assemble(const fe::TangentRequest& request);
+  void make_mass();
+  double sum(double local) const;
+
+  const Device device_;
+  const fe::MeshData& mesh_;
+  dealii::DoFHandler<2, 3> dof_handler_;
+  DeviceNodes device_nodes_;
+  std::vector<material::Elastomer> relaxed_;
+  std::unique_ptr<fe::FilmCells> cells_;
+  std::vector<unsigned int> free_;
+  std::vector<fe::PressureLoad> pressures_;
+  fe::NodalVector weight_;             ///< (N)
+  std::vector<fe::NodalVector> edges_; ///< per N/m of each edge load (m)
+
+  /// The state of the last compute_positions / compute_forces.
+  fe::NodalVector positions_, forces_, pressure_forces_;
+  fe::FilmPowers powers_;
+  double internal_force_norm_ = 1;
+  /// This rank's share of the forces on all local nodes, before collection;
+  /// kept if there are bars.
+  std::vector<double> bar_node_forces_;
+
+  /// The state at which the tangent was taken.
+  fe::NodalVector tangent_positions_;
+  std::vector<double> tangent_internal_;
+  std::vector<fe::BatchLaw> tangent_laws_;
+  std::unique_ptr<fe::TangentMatrix> tangent_;
+  std::unique_ptr<fe::LinearSolver> solver_;
+  fe::LinearSolver::Kind solver_kind_ = fe::LinearSolver::Kind::symmetric;
+  std::unique_ptr<fe::TangentMatrix> mass_, drag_;
+  std::unique_ptr<fe::LinearSolver> mass_solver_;
+};
+} // namespace taut::structure

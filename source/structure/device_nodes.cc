@@ -1,0 +1,398 @@
+#include <taut/base/exceptions.h>
+#include <taut/base/nearest_name.h>
+#include <taut/fe/reference_element.h>
+#include <taut/structure/device_nodes.h>
+
+#include <deal.II/base/function_parser.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace taut::structure
+{
+namespace
+{
+using Vector3 = std::array<double, 3>;
+using Positions = std::map<dealii::types::global_dof_index, dealii::Point<3>>;
+using DoFHandler = dealii::DoFHandler<2, 3>;
+
+double distance(const Vector3& a, const Vector3& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+std::vector<std::string> all_group_names(const fe::MeshData& mesh)
+{
+  std::vector<std::string> names;
+  for (unsigned int dimension = 0; dimension < 3; ++dimension)
+    for (const auto& name : mesh.groups.get_names(dimension))
+      names.push_back(name);
+  return names;
+}
+
+/// Calls function(cell, face) for the faces of known cells in the line group.
+template <typename Function>
+void for_each_face(const DoFHandler& dof_handler,
+                   const std::set<unsigned int>& ids, const Function& function)
+{
+  for (const auto& cell : dof_handler.active_cell_iterators())
+    if (!cell->is_artificial())
+      for (const unsigned int face : cell->face_indices())
+        if (ids.count(cell->face(face)->manifold_id()) > 0)
+          function(cell, face);
+}
+
+void add_line_nodes(const std::set<unsigned int>& ids,
+                    const DoFHandler& dof_handler,
+                    std::set<fe::GlobalNode>& nodes)
+{
+  const fe::ReferenceElement element(dof_handler.get_fe().degree);
+  std::vector<dealii::types::global_dof_index> dofs(element.n_nodes);
+  for_each_face(dof_handler, ids,
+                [&](const auto& cell, const unsigned int face)
+                {
+                  cell->get_dof_indices(dofs);
+                  for (const auto node : element.face_nodes[face])
+                    nodes.insert(dofs[node]);
+                });
+}
+
+void add_surface_nodes(const std::set<unsigned int>& ids,
+                       const DoFHandler& dof_handler,
+                       std::set<fe::GlobalNode>& nodes)
+{
+  std::vector<dealii::types::global_dof_index> dofs(
+      dof_handler.get_fe().n_dofs_per_cell());
+  for (const auto& cell : dof_handler.active_cell_iterators())
+    if (!cell->is_artificial() && ids.count(cell->material_id()) > 0)
+    {
+      cell->get_dof_indices(dofs);
+      nodes.insert(dofs.begin(), dofs.end());
+    }
+}
+
+void add_point_nodes(const std::string& group, const fe::MeshData& mesh,
+                     const DoFHandler& dof_handler,
+                     std::set<fe::GlobalNode>& nodes)
+{
+  const auto points = fe::get_group_points(mesh, group);
+  for (const auto& cell : dof_handler.active_cell_iterators())
+    if (!cell->is_artificial())
+      for (const unsigned int vertex : cell->vertex_indices())
+      {
+        const auto x = cell->vertex(vertex);
+        for (const auto& point : points)
+          if (distance({x[0], x[1], x[2]}, point) < 1e-8 * cell->diameter())
+            nodes.insert(cell->vertex_dof_index(vertex, 0));
+      }
+}
+
+/// Numbers the nodes: those of the film, then two of each bar on the last rank.
+void number_nodes(const Device& device, const DoFHandler& dof_handler,
+                  const Positions& positions, fe::Nodes& nodes)
+{
+  const MPI_Comm comm = dof_handler.get_communicator();
+  const auto& owned = dof_handler.locally_owned_dofs();
+  dealii::IndexSet relevant;
+  dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+  const unsigned int n_film = dof_handler.n_dofs();
+  const unsigned int n_bars = 2 * device.bars.size();
+  nodes.n_global = n_film + n_bars;
+  const bool last = dealii::Utilities::MPI::this_mpi_process(comm) + 1 ==
+                    dealii::Utilities::MPI::n_mpi_processes(comm);
+  nodes.first_owned = owned.n_elements() > 0 ? owned.nth_index_in_set(0)
+                      : last                 ? n_film
+                                             : 0;
+  nodes.n_owned = owned.n_elements() + (last ? n_bars : 0);
+  for (const auto node : relevant)
+    if (!owned.is_element(node))
+      nodes.ghosts.push_back(node);
+  if (!last)
+    for (unsigned int i = 0; i < n_bars; ++i)
+      nodes.ghosts.push_back(n_film + i);
+  nodes.n_local = nodes.n_owned + nodes.ghosts.size();
+
+  dealii::IndexSet owned_entries(3 * nodes.n_global),
+      ghost_entries(3 * nodes.n_global);
+  owned_entries.add_range(3 * nodes.first_owned,
+                          3 * (nodes.first_owned + nodes.n_owned));
+  for (const auto ghost : nodes.ghosts)
+    ghost_entries.add_range(3 * ghost, 3 * ghost + 3);
+  nodes.partitioner = std::make_shared<dealii::Utilities::MPI::Partitioner>(
+      owned_entries, ghost_entries, comm);
+
+  nodes.mesh_position.assign(nodes.n_local, {});
+  nodes.held.assign(nodes.n_local, 0);
+  nodes.dependent.assign(nodes.n_local, false);
+  for (const auto& [node, x] : positions)
+    nodes.mesh_position[nodes.local(node)] = {x[0], x[1], x[2]};
+}
+
+[[noreturn]] void refuse(const Named& entry, const std::string& message)
+{
+  throw BadInput(message, "", entry.source_line, entry.name);
+}
+
+/// Centre and director of the bar, gathered over all ranks.
+fe::Bar make_bar(const RigidBar& description, const double length_stiffness,
+                 const std::vector<fe::GlobalNode>& line, const MPI_Comm comm,
+                 const unsigned int index, fe::Nodes& nodes)
+{
+  std::vector<Vector3> points;
+  for (const auto node : line)
+    points.push_back(nodes.mesh_position[nodes.local(node)]);
+  std::vector<Vector3> all;
+  for (const auto& part : dealii::Utilities::MPI::all_gather(comm, points))
+    all.insert(all.end(), part.begin(), part.end());
+  if (all.size() < 2)
+    refuse(description, "its line has no length");
+  const auto farthest_from = [&](const Vector3& from)
+  {
+    return *std::max_element(all.begin(), all.end(),
+                             [&](const Vector3& a, const Vector3& b)
+                             { return distance(a, from) < distance(b, from); });
+  };
+  Vector3 end = farthest_from(all.front());
+  Vector3 begin = farthest_from(end);
+  // Which end comes first must not depend on the partition.
+  if (end < begin)
+    std::swap(begin, end);
+  fe::Bar bar;
+  bar.half_length = 0.5 * distance(begin, end);
+  bar.centre = nodes.local(nodes.n_global - 2 * (index + 1));
+  bar.director = bar.centre + 1;
+  Vector3& centre = nodes.mesh_position[bar.centre];
+  Vector3& director = nodes.mesh_position[bar.director];
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    centre[i] = 0.5 * (begin[i] + end[i]);
+    director[i] = 0.5 * (end[i] - begin[i]);
+  }
+  for (const auto& x : all)
+  {
+    const double s = ((x[0] - centre[0]) * director[0] +
+                      (x[1] - centre[1]) * director[1] +
+                      (x[2] - centre[2]) * director[2]) /
+                     (bar.half_length * bar.half_length);
+    const double off = distance(x, {centre[0] + s * director[0],
+                                    centre[1] + s * director[1],
+                                    centre[2] + s * director[2]});
+    if (off > 1e-8 * bar.half_length)
+      refuse(description, "a rigid bar must be a straight line; this one is " +
+                              std::to_string(off) + " m off");
+  }
+  bar.length_stiffness = length_stiffness;
+  bar.mass = description.mass;
+  bar.rotary_inertia = description.rotary_inertia.value_or(
+      description.mass * bar.half_length * bar.half_length / 3);
+  return bar;
+}
+
+/// Stiffness (N/m) that holds the length of directors: well above the film's.
+double make_length_stiffness(const Device& device)
+{
+  double stiffness = 0;
+  for (const auto& film : device.films)
+  {
+    double modulus = 0;
+    for (const auto& spring : film.material.springs)
+      modulus += material::shear_modulus(spring);
+    for (const auto& network : film.material.networks)
+      modulus += material::shear_modulus(network.spring);
+    stiffness = std::max(stiffness, modulus * film.thickness);
+  }
+  return 1e4 * stiffness;
+}
+
+std::uint8_t make_mask(const std::array<bool, 3>& components)
+{
+  return components[0] | components[1] << 1 | components[2] << 2;
+}
+
+/// What all ranks must agree on about a node, packed into one number.
+void synchronise(fe::Nodes& nodes, std::vector<int>& bar_of)
+{
+  auto packed = nodes.make_vector();
+  for (fe::LocalNode node = 0; node < nodes.n_owned; ++node)
+    packed.local_element(3 * node) = 8. * (bar_of[node] + 1) + nodes.held[node];
+  packed.update_ghost_values();
+  for (fe::LocalNode node = nodes.n_owned; node < nodes.n_local; ++node)
+  {
+    const int value = std::lround(packed.local_element(3 * node));
+    nodes.held[node] = value % 8;
+    bar_of[node] = value / 8 - 1;
+  }
+}
+
+class ShapeFunctions
+{
+public:
+  explicit ShapeFunctions(const Support& support)
+  {
+    try
+    {
+      const std::vector<std::string> shape(support.shape.begin(),
+                                           support.shape.end());
+      const std::map<std::string, double> constants{{"pi", M_PI}};
+      parser_.initialize("x,y,z", shape, constants);
+      parser_.value(dealii::Point<3>(), 0);
+    }
+    catch (const std::exception&)
+    {
+      refuse(support, "the displacement cannot be read: write three "
+                      "expressions of x, y and z");
+    }
+  }
+  double value(const Vector3& x, const unsigned int component) const
+  {
+    return parser_.value(dealii::Point<3>(x[0], x[1], x[2]), component);
+  }
+
+private:
+  dealii::FunctionParser<3> parser_{3};
+};
+
+void apply_support(const Support& support, const unsigned int index,
+                   const std::vector<fe::GlobalNode>& group,
+                   const std::vector<int>& bar_of, const Device& device,
+                   DeviceNodes& result)
+{
+  fe::Nodes& nodes = result.nodes;
+  const ShapeFunctions shape(support);
+  result.of_support.emplace_back();
+  for (const auto global : group)
+  {
+    const fe::LocalNode node = nodes.local(global);
+    const Vector3& x = nodes.mesh_position[node];
+    if (bar_of[node] >= 0)
+    {
+      const RigidBar& bar = device.bars[bar_of[node]];
+      for (unsigned int c = 0; c < 3; ++c)
+        if (support.held[c] && (bar.free[c] || bar.rotates))
+          refuse(support, std::string("it holds component ") + "xyz"[c] +
+                              " of a node of the bar '" + bar.name +
+                              "', which is free to move there: end the bar's "
+                              "line before the support, or guide the bar");
+    }
+    for (unsigned int c = 0; c < 3; ++c)
+      if (support.held[c])
+      {
+        const double value = shape.value(x, c);
+        nodes.held[node] |= 1 << c;
+        if (value != 0)
+          result.moving.push_back({node, c, index, value});
+      }
+    if (node < nodes.n_owned)
+      result.of_support.back().push_back(node);
+  }
+}
+
+void add_hanging_nodes(const DoFHandler& dof_handler, fe::Nodes& nodes,
+                       const std::vector<int>& bar_of)
+{
+  dealii::IndexSet relevant;
+  dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+  dealii::AffineConstraints<double> constraints(relevant);
+  dealii::DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+  constraints.close();
+  for (const auto& line : constraints.get_lines())
+  {
+    const fe::LocalNode node = nodes.local(line.index);
+    // A node on a bar or held by a support already has its motion.
+    if (bar_of[node] >= 0 || nodes.held[node] == 7)
+      continue;
+    fe::HangingNode hanging{node, {}};
+    for (const auto& [master, weight] : line.entries)
+      hanging.masters.push_back({nodes.local(master), weight});
+    nodes.hanging.push_back(hanging);
+    nodes.dependent[node] = true;
+  }
+}
+
+void add_bar_nodes(const std::vector<int>& bar_of, fe::Nodes& nodes)
+{
+  for (fe::LocalNode node = 0; node < nodes.n_local; ++node)
+    if (bar_of[node] >= 0)
+    {
+      const fe::Bar& bar = nodes.bars[bar_of[node]];
+      const Vector3& c = nodes.mesh_position[bar.centre];
+      const Vector3& d = nodes.mesh_position[bar.director];
+      const Vector3& x = nodes.mesh_position[node];
+      double s = 0;
+      for (unsigned int i = 0; i < 3; ++i)
+        s += (x[i] - c[i]) * d[i] / (bar.half_length * bar.half_length);
+      nodes.on_bar.push_back({node, unsigned(bar_of[node]), s});
+      nodes.dependent[node] = true;
+      nodes.held[node] = 0;
+    }
+}
+} // namespace
+
+std::vector<fe::GlobalNode>
+find_group_nodes(const std::vector<std::string>& groups,
+                 const fe::MeshData& mesh, const DoFHandler& dof_handler,
+                 const Named& entry, const std::string& key)
+{
+  std::set<fe::GlobalNode> nodes;
+  for (const auto& group : groups)
+  {
+    if (mesh.groups.has(0, group))
+      add_point_nodes(group, mesh, dof_handler, nodes);
+    else if (mesh.groups.has(1, group))
+      add_line_nodes(mesh.groups.get_ids(1, group), dof_handler, nodes);
+    else if (mesh.groups.has(2, group))
+      add_surface_nodes(mesh.groups.get_ids(2, group), dof_handler, nodes);
+    else
+      throw BadInput("the mesh has no group '" + group + "'; " +
+                         suggest(group, all_group_names(mesh)),
+                     "", entry.source_line, key + " " + entry.name);
+  }
+  return {nodes.begin(), nodes.end()};
+}
+
+DeviceNodes make_device_nodes(const Device& device, const fe::MeshData& mesh,
+                              const DoFHandler& dof_handler)
+{
+  DeviceNodes result;
+  fe::Nodes& nodes = result.nodes;
+  number_nodes(device, dof_handler,
+               fe::compute_reference_positions(dof_handler, mesh), nodes);
+  std::vector<int> bar_of(nodes.n_local, -1);
+  const double length_stiffness = make_length_stiffness(device);
+  for (unsigned int b = 0; b < device.bars.size(); ++b)
+  {
+    const auto line =
+        find_group_nodes(device.bars[b].groups, mesh, dof_handler,
+                         device.bars[b], "Bar");
+    nodes.bars.push_back(make_bar(device.bars[b], length_stiffness, line,
+                                  dof_handler.get_communicator(), b, nodes));
+    for (const auto node : line)
+    {
+      int& bar = bar_of[nodes.local(node)];
+      if (bar >= 0)
+        refuse(device.bars[b], "it shares a node with the bar '" +
+                                   device.bars[bar].name + "'");
+      bar = b;
+    }
+  }
+  for (unsigned int s = 0; s < device.supports.size(); ++s)
+    apply_support(device.supports[s], s,
+                  find_group_nodes(device.supports[s].groups, mesh, dof_handler,
+                                   device.supports[s], "Support"),
+                  bar_of, device, result);
+  synchronise(nodes, bar_of);
+  add_bar_nodes(bar_of, nodes);
+  add_hanging_nodes(dof_handler, nodes, bar_of);
+  for (unsigned int b = 0; b < device.bars.size(); ++b)
+  {
+    auto fixed = device.bars[b].free;
+    for (auto& component : fixed)
+      component = !component;
+    nodes.held[nodes.bars[b].centre] = make_mask(fixed);
+    nodes.held[nodes.bars[b].director] = device.bars[b].rotates ? 0 : 7;
+  }
+  return result;
+}
+} // namespace taut::structure

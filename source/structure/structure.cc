@@ -1,0 +1,266 @@
+#include <taut/base/exceptions.h>
+#include <taut/structure/structure.h>
+
+#include <cmath>
+
+namespace taut::structure
+{
+MPI_Comm Structure::communicator() const
+{
+  return nodes().partitioner->get_mpi_communicator();
+}
+
+double Structure::sum(const double local) const
+{
+  return dealii::Utilities::MPI::sum(local, communicator());
+}
+
+std::size_t Structure::n_free_global() const
+{
+  return dealii::Utilities::MPI::sum(free_.size(), communicator());
+}
+
+void Structure::restrict(const fe::NodalVector& nodal, double* free) const
+{
+  for (std::size_t i = 0; i < free_.size(); ++i)
+    free[i] = nodal.local_element(free_[i]);
+}
+
+void Structure::prolong(const double* free, fe::NodalVector& nodal) const
+{
+  for (std::size_t i = 0; i < free_.size(); ++i)
+    nodal.local_element(free_[i]) = free[i];
+}
+
+const fe::NodalVector& Structure::compute_positions(const LoadState& loads,
+                                                    const double* u)
+{
+  positions_.zero_out_ghost_values();
+  for (fe::LocalNode node = 0; node < nodes().n_owned; ++node)
+    for (unsigned int c = 0; c < 3; ++c)
+      positions_.local_element(3 * node + c) = nodes().mesh_position[node][c];
+  for (const auto& held : device_nodes_.moving)
+    if (held.node < nodes().n_owned)
+      positions_.local_element(3 * held.node + held.component) +=
+          held.shape * loads.amplitudes[held.support];
+  for (std::size_t i = 0; i < free_.size(); ++i)
+    positions_.local_element(free_[i]) += u[i];
+  positions_.update_ghost_values();
+  fe::distribute_positions(nodes(), positions_);
+  return positions_;
+}
+
+fe::NodalVector Structure::compute_velocities(const LoadState& loads,
+                                              const double* v)
+{
+  auto velocities = nodes().make_vector();
+  for (const auto& held : device_nodes_.moving)
+    if (held.node < nodes().n_owned)
+      velocities.local_element(3 * held.node + held.component) +=
+          held.shape * loads.amplitude_rates[held.support];
+  prolong(v, velocities);
+  velocities.update_ghost_values();
+  fe::distribute_change(nodes(), nullptr, velocities);
+  return velocities;
+}
+
+std::vector<fe::BatchLaw> Structure::make_laws(const LoadState& loads,
+                                               const Networks networks) const
+{
+  auto laws = fe::make_laws(*cells_, loads.voltages);
+  if (networks == Networks::relaxed)
+    for (unsigned int slot = 0; slot < laws.size(); ++slot)
+      laws[slot].elastomer = &relaxed_[cells_->slots()[slot].film];
+  return laws;
+}
+
+void Structure::collect_and_compress(fe::NodalVector& forces)
+{
+  fe::collect_forces(nodes(), &positions_, forces);
+  forces.compress(dealii::VectorOperation::add);
+}
+
+void Structure::add_bar_forces(fe::NodalVector& forces) const
+{
+  // The spring k/8 (|d|^2/l^2 - 1)^2 l^2 that holds the director's length l.
+  for (const auto& bar : nodes().bars)
+  {
+    if (bar.director >= nodes().n_owned)
+      continue;
+    double square = 0;
+    for (unsigned int c = 0; c < 3; ++c)
+      square += std::pow(positions_.local_element(3 * bar.director + c), 2);
+    const double tension = 0.5 * bar.length_stiffness *
+                           (square / (bar.half_length * bar.half_length) - 1);
+    for (unsigned int c = 0; c < 3; ++c)
+      forces.local_element(3 * bar.director + c) -=
+          tension * positions_.local_element(3 * bar.director + c);
+  }
+}
+
+void Structure::compute_forces(const LoadState& loads, const double* u,
+                               const double* internal, const Networks networks,
+                               double* forces, double* rates)
+{
+  compute_positions(loads, u);
+  const auto laws = make_laws(loads, networks);
+  for (auto* vector : {&forces_, &pressure_forces_})
+  {
+    vector->zero_out_ghost_values();
+    *vector = 0;
+  }
+  std::vector<double> unused_rates(rates ? 0 : n_internal());
+  const fe::LimitReport limit = fe::add_internal_forces(
+      *cells_, laws, positions_, internal, forces_,
+      rates ? rates : unused_rates.data(), powers_);
+  const double margin =
+      dealii::Utilities::MPI::min(std::isnan(limit.margin) ? -1. : limit.margin,
+                                  communicator());
+  if (!(margin > 0))
+    throw StepRejected("a spring is stretched beyond its limit near (" +
+                       std::to_string(limit.place[0]) + ", " +
+                       std::to_string(limit.place[1]) + ", " +
+                       std::to_string(limit.place[2]) + ") m of the mesh");
+  double square = 0;
+  for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
+    square += std::pow(forces_.local_element(i), 2);
+  forces_ *= -1;
+  for (std::size_t i = 3 * nodes().n_owned; i < 3 * nodes().n_local; ++i)
+    forces_.local_element(i) *= -1;
+
+  for (unsigned int i = 0; i < pressures_.size(); ++i)
+    pressures_[i].pressure = loads.pressures[i];
+  fe::add_pressure_forces(*cells_, pressures_, positions_, pressure_forces_);
+  for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
+  {
+    double external =
+        pressure_forces_.local_element(i) + weight_.local_element(i);
+    for (unsigned int k = 0; k < edges_.size(); ++k)
+      external += loads.edge_forces[k] * edges_[k].local_element(i);
+    square += external * external;
+    forces_.local_element(i) += external;
+  }
+  // Forces cancel within a node long before they are collected: the scale of
+  // the residual is what the film would pull with if nothing did.
+  internal_force_norm_ = std::max(std::sqrt(sum(square)), 1e-300);
+  if (!nodes().bars.empty())
+    bar_node_forces_.assign(forces_.begin(),
+                            forces_.begin() + 3 * nodes().n_local);
+  add_bar_forces(forces_);
+  collect_and_compress(forces_);
+  restrict(forces_, forces);
+}
+
+std::vector<double> Structure::compute_charges(const LoadState& loads) const
+{
+  std::vector<double> charges(device_.electrodes.size(), 0.);
+  for (unsigned int slot = 0; slot < cells_->slots().size(); ++slot)
+  {
+    const auto& [film, electrode] = cells_->slots()[slot];
+    if (electrode >= 0)
+      charges[electrode] += powers_.permittivity[slot] *
+                            loads.voltages[electrode] /
+                            std::pow(device_.films[film].thickness, 2);
+  }
+  for (auto& charge : charges)
+    charge = sum(charge);
+  return charges;
+}
+
+Powers Structure::compute_powers(const LoadState& loads,
+                                 const fe::NodalVector* velocities) const
+{
+  Powers powers;
+  powers.dissipation = powers_.dissipation;
+  const auto charges = compute_charges(loads);
+  double work = 0;
+  for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
+    for (unsigned int k = 0; k < edges_.size(); ++k)
+      work -= loads.edge_rates[k] * edges_[k].local_element(i) *
+              get_displacement(i);
+  for (const auto& held : device_nodes_.moving)
+    if (held.node < nodes().n_owned)
+      work -= forces_.local_element(3 * held.node + held.component) *
+              held.shape * loads.amplitude_rates[held.support];
+  if (velocities)
+    for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
+      work += pressure_forces_.local_element(i) * velocities->local_element(i);
+  powers.work = sum(work);
+  powers.dissipation = sum(powers.dissipation);
+  for (unsigned int e = 0; e < charges.size(); ++e)
+    powers.work -= charges[e] * loads.voltage_rates[e];
+  if (!velocities)
+    for (unsigned int i = 0; i < pressures_.size(); ++i)
+      if (loads.pressure_rates[i] != 0)
+        powers.work -= loads.pressure_rates[i] *
+                       compute_volume(device_.pressures[i].groups);
+  return powers;
+}
+
+double Structure::get_displacement(const std::size_t entry) const
+{
+  return positions_.local_element(entry) -
+         nodes().mesh_position[entry / 3][entry % 3];
+}
+
+std::array<double, 3>
+Structure::compute_reaction(const unsigned int support) const
+{
+  std::array<double, 3> reaction{};
+  for (const auto node : device_nodes_.of_support[support])
+    for (unsigned int c = 0; c < 3; ++c)
+      if (device_.supports[support].held[c])
+        reaction[c] -= forces_.local_element(3 * node + c);
+  for (auto& component : reaction)
+    component = sum(component);
+  return reaction;
+}
+
+double
+Structure::compute_volume(const std::vector<std::string>& groups) const
+{
+  // (1/3) int x . n dA = (1/3) sum_a f_a . x_a with the forces of 1 Pa.
+  std::vector<fe::PressureLoad> unit{make_pressure(groups)};
+  unit[0].pressure = 1;
+  auto forces = nodes().make_vector();
+  fe::add_pressure_forces(*cells_, unit, positions_, forces);
+  double volume = 0;
+  for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
+    volume += forces.local_element(i) * positions_.local_element(i) / 3;
+  return sum(volume);
+}
+
+Energies Structure::compute_energies(const LoadState& loads, const double* u,
+                                     const double* v, const double* internal)
+{
+  compute_positions(loads, u);
+  const auto film = fe::compute_energy(
+      *cells_, make_laws(loads, Networks::as_given), positions_, internal);
+  Energies energies;
+  energies.stored = film.stored;
+  energies.electric = film.stored - film.at_voltage;
+  for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
+  {
+    double load = weight_.local_element(i);
+    for (unsigned int k = 0; k < edges_.size(); ++k)
+      load += loads.edge_forces[k] * edges_[k].local_element(i);
+    energies.dead_loads -= load * get_displacement(i);
+  }
+  if (v)
+  {
+    std::vector<double> momentum(n_free());
+    multiply_mass(v, momentum.data());
+    for (std::size_t i = 0; i < n_free(); ++i)
+      energies.kinetic += 0.5 * v[i] * momentum[i];
+  }
+  energies.kinetic = sum(energies.kinetic);
+  energies.stored = sum(energies.stored);
+  energies.electric = sum(energies.electric);
+  energies.dead_loads = sum(energies.dead_loads);
+  if (!v)
+    for (unsigned int i = 0; i < pressures_.size(); ++i)
+      energies.dead_loads -= loads.pressures[i] *
+                             compute_volume(device_.pressures[i].groups);
+  return energies;
+}
+} // namespace taut::structure
