@@ -68,15 +68,18 @@ TEST(QuasiStatic, CreepMeetsTheExactSolution)
   Oscillators system = make_system(1);
   std::vector<double> state = system.make_start();
   const std::size_t n = system.n_members();
+  int n_outputs = 0;
   Observer observer;
   observer.output = [&](const double time, const double* y)
   {
+    ++n_outputs;
     // Some hundred local errors of 1e-11.
     EXPECT_NEAR(y[0], get_exact(1, 0, time).u, 1e-8);
     EXPECT_NEAR(y[n], get_exact(1, 0, time).a, 1e-8);
   };
   integrate(system, state.data(), make_schedule(10), make_options(1e-11), {},
             observer);
+  EXPECT_EQ(n_outputs, 51);
 }
 
 TEST(QuasiStatic, WorkIsStoredOrDissipated)
@@ -108,15 +111,18 @@ TEST(QuasiStatic, FindsTheEquilibriumAfterAJump)
   system.set_load({[](double) { return 0.; }, [](double) { return 1.; }}, {2});
   std::vector<double> state = system.make_start();
   const std::size_t n = system.n_members();
+  int n_outputs = 0;
   Observer observer;
   observer.output = [&](const double time, const double* y)
   {
+    ++n_outputs;
     const Exact exact = time <= 2 ? Exact{0, 0} : get_exact(1, 0, time - 2);
     EXPECT_NEAR(y[0], exact.u, 1e-8);
     EXPECT_NEAR(y[n], exact.a, 1e-8);
   };
   integrate(system, state.data(), make_schedule(4.1), make_options(1e-11), {},
             observer);
+  EXPECT_EQ(n_outputs, 51);
 }
 
 TEST(QuasiStatic, InternalToleranceControlsTheError)

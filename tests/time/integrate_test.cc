@@ -1,76 +1,17 @@
 #include <taut/base/exceptions.h>
-#include <taut/time/integrate.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "oscillators.h"
+#include "members.h"
 
 using namespace taut;
 using namespace taut::time;
 
 namespace
 {
-constexpr double frequency = 50;
-const double k = std::pow(2 * M_PI * frequency, 2);
-
-/// Relaxation times below, near and far above the period, and a member a
-/// thousand times faster that is at rest.
-std::vector<Oscillator> make_members(const double scale = 1)
-{
-  std::vector<Oscillator> members = {
-      {1, k, .3 * k, 1e-2, 0, {{1e-3, 0, 1e-3}}},
-      {2, 3 * k, .5 * k, 1, 2., {{0, .2, 0}}},
-      {1, 1.5 * k, .2 * k, 1e-4, 0, {{5e-4, .1, 0}}},
-      {1, 1e6 * k, 0, 1, 0, {{0, 0, 0}}}};
-  for (Oscillator& member : members)
-  {
-    member.mass *= scale;
-    member.stiffness *= scale;
-    member.viscous_stiffness *= scale;
-    member.drag *= scale;
-  }
-  return members;
-}
-
-Oscillators make_system(const double scale = 1)
-{
-  return Oscillators(make_members(scale), Oscillators::Kind::inertial,
-                     MPI_COMM_WORLD);
-}
-
-IntegratorOptions make_options(const double tolerance,
-                               const Method method = Method::esdirk4)
-{
-  IntegratorOptions options;
-  options.method = method;
-  options.position_tolerance = tolerance;
-  options.first_step = 1e-7;
-  return options;
-}
-
-Schedule make_schedule(const double end, const int n_outputs = 0)
-{
-  Schedule schedule;
-  schedule.end = end;
-  for (int i = 1; i <= n_outputs; ++i)
-    schedule.output_times.push_back(end * i / n_outputs);
-  return schedule;
-}
-
-/// Norm over all ranks of the error of block 0 (u), 1 (v) or 2 (a).
-double compute_error(const Oscillators& system, const double time,
-                     const double* state, const int block)
-{
-  const std::size_t n = system.n_members();
-  double sum = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    sum += std::pow(state[block * n + i] - system.get_exact(i, time)[block], 2);
-  return std::sqrt(system.sum(sum));
-}
-
 /// Relative error of the displacements after five periods.
 double measure_accuracy(const Method method, const double tolerance)
 {
@@ -150,45 +91,6 @@ TEST(Integrate, EnergyIsConservedWithTheDissipatedScalar)
     // As accurate as the displacements, 1e-7 of which are a local error.
     EXPECT_NEAR((end + dissipated) / start, 1, 1e-5);
   }
-}
-
-TEST(Integrate, OutputAndEventsNeverChangeTheSteps)
-{
-  std::vector<double> states[2];
-  long steps[2];
-  for (const int many : {0, 1})
-  {
-    Oscillators system = make_system();
-    states[many] = system.make_start();
-    std::vector<Watch> watches;
-    if (many)
-      watches.push_back({"time", [](const double time, const double*)
-                         { return .0123 - time; }});
-    steps[many] = integrate(system, states[many].data(),
-                            make_schedule(.05, many ? 1000 : 1),
-                            make_options(1e-9), watches, {})
-                      .statistics.steps;
-  }
-  EXPECT_EQ(steps[0], steps[1]);
-  EXPECT_EQ(states[0], states[1]);
-}
-
-TEST(Integrate, OutputsAreMadeOnceAtTheTimesAsked)
-{
-  Oscillators system = make_system();
-  std::vector<double> state = system.make_start();
-  Schedule schedule = make_schedule(.01, 7);
-  schedule.output_times.insert(schedule.output_times.begin(), {-1, 0});
-  schedule.output_times.push_back(.02);
-  std::vector<double> times;
-  Observer observer;
-  observer.output = [&](const double time, const double*)
-  { times.push_back(time); };
-  integrate(system, state.data(), schedule, make_options(1e-8), {}, observer);
-  ASSERT_EQ(times.size(), 8u);
-  EXPECT_EQ(times.front(), 0);
-  for (int i = 1; i <= 7; ++i)
-    EXPECT_DOUBLE_EQ(times[i], .01 * i / 7);
 }
 
 TEST(Integrate, ScalarsControlNothing)
@@ -282,95 +184,6 @@ TEST(Integrate, OtherBlocksDoNotThinOutTheErrorOfThePositions)
   // Were the norm a mean over all entries, three hundred more of them would
   // loosen the tolerance by a factor of ten.
   EXPECT_NEAR(measure_padded_error(300) / measure_padded_error(0), 1, 1e-3);
-}
-
-TEST(Integrate, StopsExactlyAtAJumpOfTheLoad)
-{
-  const double jump = .0123, load = 10, omega = std::sqrt(k);
-  Oscillators system({{1, k, 0, 1, 0, {{0, 0, 0}}}},
-                     Oscillators::Kind::inertial);
-  system.set_load({[](double) { return 0.; }, [=](double) { return load; }},
-                  {jump});
-  std::vector<double> state = system.make_start();
-  Schedule schedule = make_schedule(.05);
-  // The same time but for round-off: one stop.
-  schedule.restart_times = {jump * (1 + 1e-14)};
-  int n_ends_at_jump = 0, n_checkpoints = 0;
-  Observer observer;
-  observer.step = [&](const Step& step, const IntegratorStatistics&)
-  {
-    EXPECT_TRUE(step.end() <= jump || step.start() >= jump);
-    n_ends_at_jump += step.end() == jump;
-  };
-  observer.checkpoint = [&](const double time, const double*)
-  {
-    EXPECT_EQ(time, jump);
-    ++n_checkpoints;
-  };
-  integrate(system, state.data(), schedule, make_options(1e-10), {}, observer);
-  EXPECT_EQ(n_ends_at_jump, 1);
-  EXPECT_EQ(n_checkpoints, 1);
-  EXPECT_EQ(system.piece, 1u);
-  const double exact = load / k * (1 - std::cos(omega * (.05 - jump)));
-  // A hundred steps with local errors of the tolerance.
-  EXPECT_NEAR(state[0], exact, 100 * 1e-10);
-}
-
-TEST(Integrate, ResumedRunEqualsTheWholeRun)
-{
-  for (const Method method : {Method::esdirk4, Method::bdf})
-    for (const bool by_steps : {false, true})
-    {
-      Oscillators system = make_system();
-      std::vector<double> whole = system.make_start();
-      Schedule schedule = make_schedule(.05);
-      if (by_steps)
-        schedule.restart_every_steps = 37;
-      else
-        schedule.restart_times = {.0171, .03};
-      double saved_time = 0;
-      std::vector<double> saved;
-      Observer observer;
-      observer.checkpoint = [&](const double time, const double* state)
-      {
-        if (saved.empty())
-          saved.assign(state, state + whole.size());
-        if (saved_time == 0)
-          saved_time = time;
-      };
-      integrate(system, whole.data(), schedule, make_options(1e-9, method), {},
-                observer);
-      ASSERT_FALSE(saved_time == 0);
-      schedule.start = saved_time;
-      integrate(system, saved.data(), schedule, make_options(1e-9, method), {},
-                {});
-      // The same operations in the same order: equal to the last digit.
-      EXPECT_EQ(saved, whole);
-    }
-}
-
-TEST(Integrate, InterruptionEndsInGoodOrder)
-{
-  Oscillators system = make_system();
-  std::vector<double> state = system.make_start();
-  int n_steps = 0;
-  double last_output = 0, last_step = 0;
-  Observer observer;
-  observer.step = [&](const Step& step, const IntegratorStatistics&)
-  {
-    ++n_steps;
-    last_step = step.end();
-  };
-  observer.interrupted = [&] { return n_steps == 20; };
-  observer.output = [&](const double time, const double*)
-  { last_output = time; };
-  const RunResult result = integrate(system, state.data(), make_schedule(.1),
-                                     make_options(1e-9), {}, observer);
-  EXPECT_EQ(result.outcome, Outcome::interrupted);
-  EXPECT_EQ(n_steps, 20);
-  EXPECT_EQ(result.time, last_step);
-  EXPECT_EQ(result.time, last_output);
-  EXPECT_LT(compute_error(system, result.time, state.data(), 0), 1e-6);
 }
 
 TEST(Integrate, RefusesWrongOptions)

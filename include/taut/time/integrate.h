@@ -76,7 +76,9 @@ public:
   virtual void interpolate(double time, double* state) const = 0;
 };
 
-/// A condition that the run watches. It fires when `value` falls through zero.
+/// A condition that the run watches. It fires when `value` falls through zero,
+/// and again once it has been positive in between. The signs are compared at
+/// the ends of steps: a dip inside one step goes unseen.
 struct Watch
 {
   std::string name;
