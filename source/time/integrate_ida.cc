@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "error_weights.h"
-#include "stepper.h"
-#include "sundials_support.h"
+#include "integrate_stepper.h"
+#include "integrate_weights.h"
+#include "system_sundials.h"
 
 namespace taut::time
 {

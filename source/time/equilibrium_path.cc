@@ -110,6 +110,13 @@ bool Path::advance(const double load)
   return true;
 }
 
+void validate(const PathOptions& options)
+{
+  if (!(options.first_step > 0 && options.smallest_step > 0 &&
+        options.largest_step > 0))
+    throw BadInput("the steps of a load path must be positive");
+}
+
 [[noreturn]] void give_up(const double load, const std::string& reason)
 {
   std::ostringstream message;
@@ -125,6 +132,7 @@ follow_path(EquilibriumProblem& problem, const double start, const double end,
             double* u, const PathOptions& options,
             const std::function<void(double, const double*)>& accepted)
 {
+  validate(options);
   const double direction = end < start ? -1 : 1;
   EquilibriumStatistics sum;
   Path path(problem, start, u, options);

@@ -1,4 +1,4 @@
-#include "callback_guard.h"
+#include "system_callback.h"
 
 namespace taut::time
 {

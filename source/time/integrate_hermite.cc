@@ -1,4 +1,4 @@
-#include "hermite.h"
+#include "integrate_hermite.h"
 
 namespace taut::time
 {

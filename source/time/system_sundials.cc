@@ -1,4 +1,4 @@
-#include "sundials_support.h"
+#include "system_sundials.h"
 
 #include <taut/base/exceptions.h>
 

@@ -1,4 +1,4 @@
-#include "error_weights.h"
+#include "integrate_weights.h"
 
 #include <algorithm>
 #include <cmath>

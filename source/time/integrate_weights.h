@@ -2,7 +2,7 @@
 
 #include <taut/time/integrate.h>
 
-#include "guarded_system.h"
+#include "system_guard.h"
 
 namespace taut::time
 {

@@ -2,7 +2,7 @@
 
 #include <taut/time/system.h>
 
-#include "callback_guard.h"
+#include "system_callback.h"
 
 namespace taut::time
 {

@@ -1,6 +1,7 @@
-#include "guarded_system.h"
+#include "system_guard.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace taut::time
 {
@@ -35,6 +36,9 @@ GuardedSystem::GuardedSystem(System& system)
       guard_(communicator_), layout_(system.layout()),
       sizes_(compute_sizes(layout_, communicator_))
 {
+  if (layout_.velocities != (is_inertial() ? layout_.positions : 0))
+    throw std::logic_error("a state has as many velocities as positions, or "
+                           "none at all");
 }
 
 void GuardedSystem::compute_f(const double time, const double* state, double* f)

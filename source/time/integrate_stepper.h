@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "guarded_system.h"
+#include "system_guard.h"
 
 namespace taut::time
 {

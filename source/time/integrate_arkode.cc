@@ -1,12 +1,14 @@
 #include <arkode/arkode_arkstep.h>
+#include <sunnonlinsol/sunnonlinsol_newton.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "error_weights.h"
-#include "hermite.h"
-#include "stepper.h"
-#include "sundials_support.h"
+#include "integrate_hermite.h"
+#include "integrate_newton.h"
+#include "integrate_stepper.h"
+#include "integrate_weights.h"
+#include "system_sundials.h"
 
 namespace taut::time
 {
@@ -114,7 +116,8 @@ public:
 
 private:
   void set_up(const IntegratorOptions& options);
-  void set_up_algebra(const IntegratorOptions& options);
+  void set_up_algebra();
+  void set_up_newton(const IntegratorOptions& options);
   void compute_rates();
 
   GuardedSystem& system_;
@@ -140,7 +143,9 @@ private:
   MatrixHandle mass_matrix_;
   LinearSolverHandle stage_solver_;
   LinearSolverHandle mass_solver_;
+  NonlinearSolverHandle newton_;
   SolverMemoryHandle<ARKStepFree> memory_;
+  NewtonConvergence convergence_;
 };
 
 ArkodeStepper::ArkodeStepper(GuardedSystem& system,
@@ -160,12 +165,16 @@ ArkodeStepper::ArkodeStepper(GuardedSystem& system,
       mass_matrix_(make_matrix(mass_operations_, context_.get())),
       stage_solver_(make_linear_solver(stage_operations_, context_.get())),
       mass_solver_(make_linear_solver(mass_operations_, context_.get())),
+      newton_(SUNNonlinSol_Newton(vector_.get(), context_.get())),
       memory_(ARKStepCreate(nullptr, evaluate, segment.start, vector_.get(),
-                            context_.get()))
+                            context_.get())),
+      convergence_(system, memory_.get())
 {
+  check(newton_.get(), "SUNNonlinSol_Newton");
   check(memory_.get(), "ARKStepCreate");
   set_up(options);
-  set_up_algebra(options);
+  set_up_algebra();
+  set_up_newton(options);
 }
 
 void ArkodeStepper::set_up(const IntegratorOptions& options)
@@ -188,7 +197,7 @@ void ArkodeStepper::set_up(const IntegratorOptions& options)
         "ARKStepSetMaxConvFails");
 }
 
-void ArkodeStepper::set_up_algebra(const IntegratorOptions& options)
+void ArkodeStepper::set_up_algebra()
 {
   void* memory = memory_.get();
   check(
@@ -199,6 +208,16 @@ void ArkodeStepper::set_up_algebra(const IntegratorOptions& options)
                                    mass_matrix_.get(), SUNFALSE),
         "ARKStepSetMassLinearSolver");
   check(ARKStepSetMassFn(memory, fill_mass), "ARKStepSetMassFn");
+}
+
+void ArkodeStepper::set_up_newton(const IntegratorOptions& options)
+{
+  void* memory = memory_.get();
+  check(ARKStepSetNonlinearSolver(memory, newton_.get()),
+        "ARKStepSetNonlinearSolver");
+  check(SUNNonlinSolSetConvTestFn(newton_.get(), test_newton_convergence,
+                                  &convergence_),
+        "SUNNonlinSolSetConvTestFn");
   // Otherwise stiffness amplifies the error of the last Newton iterate in the
   // derivative of the stage, and one run in four fails.
   check(ARKStepSetDeduceImplicitRhs(memory, SUNTRUE),

@@ -1,4 +1,4 @@
-#include "communicator.h"
+#include "system_communicator.h"
 
 namespace taut::time
 {

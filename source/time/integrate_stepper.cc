@@ -1,4 +1,4 @@
-#include "stepper.h"
+#include "integrate_stepper.h"
 
 #include <sstream>
 

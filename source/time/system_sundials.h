@@ -3,6 +3,7 @@
 #include <sundials/sundials_context.h>
 #include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_matrix.h>
+#include <sundials/sundials_nonlinearsolver.h>
 #include <sundials/sundials_nvector.h>
 
 #include <cstddef>
@@ -10,7 +11,7 @@
 #include <string>
 #include <type_traits>
 
-#include "communicator.h"
+#include "system_communicator.h"
 
 /// Owners of the C objects of SUNDIALS, and the matrix and linear solver that
 /// hand all work to Taut.
@@ -44,6 +45,13 @@ struct LinearSolverDeleter
     SUNLinSolFree(solver);
   }
 };
+struct NonlinearSolverDeleter
+{
+  void operator()(SUNNonlinearSolver solver) const
+  {
+    SUNNonlinSolFree(solver);
+  }
+};
 
 using ContextHandle =
     std::unique_ptr<std::remove_pointer_t<SUNContext>, ContextDeleter>;
@@ -54,6 +62,10 @@ using MatrixHandle =
 using LinearSolverHandle =
     std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>,
                     LinearSolverDeleter>;
+
+using NonlinearSolverHandle =
+    std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>,
+                    NonlinearSolverDeleter>;
 
 /// The memory of one solver: `Free` is its function of the form
 /// void Free(void** memory).

@@ -8,9 +8,9 @@
 #include <sstream>
 #include <vector>
 
-#include "callback_guard.h"
-#include "guarded_system.h"
-#include "sundials_support.h"
+#include "system_callback.h"
+#include "system_guard.h"
+#include "system_sundials.h"
 
 namespace taut::time
 {
@@ -62,7 +62,7 @@ public:
   EquilibriumStatistics statistics;
 
 private:
-  void limit_step(double* b, double* x) const;
+  void limit_step(double* x) const;
 
   EquilibriumProblem& problem_;
   double load_;
@@ -131,23 +131,19 @@ int GuardedProblem::solve(double* b, double* x)
           throw StepRejected("the tangent is singular");
       });
   if (code == 0 && options_.max_step > 0)
-    limit_step(b, x);
+    limit_step(x);
   return code;
 }
 
-void GuardedProblem::limit_step(double* b, double* x) const
+void GuardedProblem::limit_step(double* x) const
 {
   const double largest = compute_largest(x, size_, communicator_);
   if (largest <= options_.max_step)
     return;
-  // KINSOL takes b for the product of the tangent and the step afterwards and
-  // computes the slope of the line search with it: both shrink.
-  const double factor = options_.max_step / largest;
+  // KINSOL is not told, so that its line search takes the slope of the whole
+  // Newton step and never stretches the shortened one again.
   for (std::size_t i = 0; i < size_; ++i)
-  {
-    x[i] *= factor;
-    b[i] *= factor;
-  }
+    x[i] *= options_.max_step / largest;
 }
 
 GuardedProblem& get(void* user_data)

@@ -5,7 +5,7 @@
 #include <exception>
 #include <string>
 
-#include "communicator.h"
+#include "system_communicator.h"
 
 namespace taut::time
 {

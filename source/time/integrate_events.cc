@@ -1,4 +1,4 @@
-#include "events.h"
+#include "integrate_events.h"
 
 #include <algorithm>
 #include <cmath>
