@@ -55,7 +55,7 @@ target_include_directories(taut_dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
 # Only what Taut calls itself; deal.II's own list of 160 libraries costs seconds
 # at every link and the loader 0.3 s at every start.
 foreach(library IN LISTS DEAL_II_LIBRARIES_RELEASE)
-  if(library MATCHES "lib(petsc|slepc|boost_iostreams|boost_serialization|tbb|z|p4est|sc|muparser|lapack|blas)\\.so$")
+  if(library MATCHES "lib(trilinos_teuchoscomm|trilinos_teuchoscore|petsc|slepc|boost_iostreams|boost_serialization|tbb|z|p4est|sc|muparser|lapack|blas)\\.so$")
     list(APPEND TAUT_DEALII_LIBRARIES ${library})
   endif()
 endforeach()

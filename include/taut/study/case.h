@@ -1,0 +1,90 @@
+#pragma once
+
+#include <taut/structure/description.h>
+#include <taut/time/integrate.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A case: a device and what is to be done with it, as plain data.
+namespace taut::study
+{
+/// How the rows of history.csv and the frames of fields.pvd are placed in time.
+struct OutputDescription
+{
+  /// Number of equal intervals between start and end; 0 = only start and end.
+  unsigned int history_intervals = 200;
+  unsigned int field_intervals = 20;
+  /// Extra times of history rows (s).
+  std::vector<double> history_times;
+  std::vector<double> field_times;
+  bool write_fields = true;
+};
+
+struct CheckpointDescription
+{
+  /// Accepted steps between checkpoints; 0 = never. Restarts the integrator.
+  long every_steps = 0;
+  /// Simulated time between checkpoints (s); 0 = never. Restarts it too.
+  double every_time = 0;
+  /// Wall time between checkpoints (min); 0 = never.
+  double every_minutes = 10;
+};
+
+struct ProcedureDescription
+{
+  structure::Analysis analysis = structure::Analysis::transient;
+  structure::Start start = structure::Start::relaxed;
+  double start_time = 0; ///< (s)
+  double end_time = 1;   ///< (s)
+  time::IntegratorOptions integrator;
+  /// Relative residual of equilibria.
+  double newton_tolerance = 1e-10;
+  /// Steps of a static path (analysis = equilibrium), at least.
+  unsigned int load_steps = 10;
+};
+
+/// A resonator of the lumped kind ([T], physics of two strips and a bar) in SI.
+struct LumpedResonatorDescription
+{
+  double length_active = 0;  ///< L_1A undeformed (m)
+  double length_passive = 0; ///< L_1B undeformed (m)
+  double width = 0;          ///< L_2 undeformed (m)
+  double thickness = 0;      ///< L_3 undeformed (m)
+  std::array<double, 2> pre_stretch{{1, 1}};
+  double bar_mass = 0;       ///< total (kg)
+  double density = 0;        ///< (kg/m^3)
+  double shear_modulus = 0;  ///< total G = G_eq + G_neq (Pa)
+  double equilibrium_share = 1;        ///< chi
+  std::vector<double> network_shares;  ///< g_m, sum 1 - chi; empty = equal
+  std::vector<double> relaxation_times;///< T_m (s)
+  double limit = 67;         ///< J_lim
+  bool relaxation_is_rate = false; ///< the printed reading of tau
+  double relative_permittivity = 4.7;
+  double breakdown_strength = 0; ///< (V/m)
+  Signal voltage;            ///< (V)
+};
+
+/// Which parts of the device play the parts of the lumped resonator.
+struct ComparisonDescription
+{
+  std::string active_film;
+  std::string passive_film;
+  std::string electrode;
+  std::string bar;
+};
+
+struct Case
+{
+  std::string file;
+  /// "film": the device below by finite elements; "resonator": lumped.
+  std::string model = "film";
+  structure::Device device;
+  LumpedResonatorDescription lumped_resonator;
+  std::optional<ComparisonDescription> comparison;
+  ProcedureDescription procedure;
+  OutputDescription output;
+  CheckpointDescription checkpoint;
+};
+} // namespace taut::study

@@ -1,0 +1,285 @@
+#include <taut/fe/film_assembly.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+#include <limits>
+
+namespace taut::fe
+{
+namespace
+{
+using Buffer = dealii::AlignedVector<double>;
+
+std::array<double, 3> find_place(const FilmCells& cells,
+                                 const unsigned int batch,
+                                 const LimitCheck& check)
+{
+  return cells.mesh_point(cells.batches()[batch].cells[check.lane],
+                          check.point);
+}
+} // namespace
+
+std::vector<BatchLaw> make_laws(const FilmCells& cells,
+                                const std::vector<double>& voltages)
+{
+  std::vector<BatchLaw> laws;
+  for (const auto& slot : cells.slots())
+  {
+    const FilmSection& film = cells.films()[slot.film];
+    const double field =
+        slot.electrode < 0 ? 0. : voltages[slot.electrode] / film.thickness;
+    laws.push_back({film.elastomer, {field * field, film.temperature}});
+  }
+  return laws;
+}
+
+LimitReport add_internal_forces(const FilmCells& cells,
+                                const std::vector<BatchLaw>& laws,
+                                const NodalVector& positions,
+                                const double* internal, NodalVector& forces,
+                                double* rates, FilmPowers& powers)
+{
+  Buffer x(cells.nodal_size()), f(cells.nodal_size());
+  Buffer A(cells.internal_size()), dA(cells.internal_size());
+  powers.dissipation = 0;
+  powers.permittivity.assign(cells.slots().size(), 0.);
+  LimitReport report{std::numeric_limits<double>::infinity(), {}};
+  for (unsigned int batch = 0; batch < cells.batches().size(); ++batch)
+  {
+    const FilmBatch& members = cells.batches()[batch];
+    cells.gather(batch, positions, x.data());
+    cells.gather_internal(batch, internal, A.data());
+    BatchPower power;
+    const LimitCheck check =
+        compute_forces(cells.geometry(batch), laws[members.slot], x.data(),
+                       A.data(), f.data(), dA.data(), power);
+    if (!(check.margin >= report.margin))
+      report = {check.margin, find_place(cells, batch, check)};
+    cells.scatter_add(batch, f.data(), forces);
+    cells.scatter_internal(batch, dA.data(), rates);
+    for (unsigned int lane = 0; lane < members.n_cells; ++lane)
+    {
+      powers.dissipation += power.dissipation[lane];
+      powers.permittivity[members.slot] += power.permittivity[lane];
+    }
+  }
+  return report;
+}
+
+void add_pressure_forces(const FilmCells& cells,
+                         const std::vector<PressureLoad>& pressures,
+                         const NodalVector& positions, NodalVector& forces)
+{
+  const ReferenceElement& element = cells.element();
+  Buffer x(cells.nodal_size()), f(cells.nodal_size());
+  for (const auto& load : pressures)
+    for (const auto& lanes : load.batches)
+    {
+      cells.gather(lanes.batch, positions, x.data());
+      compute_pressure_forces(element.n_nodes, element.values.data(),
+                              element.gradients.data(), element.weights.data(),
+                              lanes.active.data(), x.data(), load.pressure,
+                              f.data());
+      cells.scatter_add(lanes.batch, f.data(), forces);
+    }
+}
+
+void add_stiffness(const FilmCells& cells, const std::vector<BatchLaw>& laws,
+                   const std::vector<PressureLoad>& pressures,
+                   const TangentRequest& request, TangentMatrix& matrix)
+{
+  const ReferenceElement& element = cells.element();
+  Buffer x(cells.nodal_size()), A(cells.internal_size());
+  Buffer K(8 * 9 * element.n_nodes * element.n_nodes);
+  std::vector<std::vector<std::pair<const PressureLoad*, unsigned int>>>
+      pressures_of(cells.batches().size());
+  for (const auto& load : pressures)
+    for (unsigned int i = 0; i < load.batches.size(); ++i)
+      pressures_of[load.batches[i].batch].push_back({&load, i});
+  for (unsigned int batch = 0; batch < cells.batches().size(); ++batch)
+  {
+    const BatchLaw& law = laws[cells.batches()[batch].slot];
+    cells.gather(batch, *request.positions, x.data());
+    cells.gather_internal(batch, request.internal, A.data());
+    const double mass_factor =
+        request.inertia
+            ? request.alpha * (request.alpha +
+                               request.air_drag / law.elastomer->density)
+            : 0.;
+    // On a bar, forces and inertia follow different maps: see fe::Bar.
+    const bool on_bar = matrix.on_bar(batch);
+    compute_stiffness(cells.geometry(batch), law, element.values.data(),
+                      on_bar ? 0. : mass_factor, x.data(), A.data(),
+                      request.alpha, request.symmetric, K.data());
+    for (const auto& [load, i] : pressures_of[batch])
+      add_pressure_stiffness(
+          element.n_nodes, element.values.data(), element.gradients.data(),
+          element.weights.data(), load->batches[i].active.data(), x.data(),
+          load->pressure, request.symmetric, K.data());
+    matrix.add_batch(batch, K.data(), request.symmetric, request.positions);
+    if (on_bar && mass_factor != 0)
+    {
+      compute_mass(cells.geometry(batch), element.values.data(),
+                   mass_factor * law.elastomer->density, K.data());
+      matrix.add_batch(batch, K.data(), true, nullptr);
+    }
+  }
+}
+
+void add_mass(const FilmCells& cells, const std::vector<double>& densities,
+              TangentMatrix& matrix)
+{
+  const ReferenceElement& element = cells.element();
+  Buffer M(8 * 9 * element.n_nodes * element.n_nodes);
+  for (unsigned int batch = 0; batch < cells.batches().size(); ++batch)
+  {
+    compute_mass(cells.geometry(batch), element.values.data(),
+                 densities[cells.slots()[cells.batches()[batch].slot].film],
+                 M.data());
+    matrix.add_batch(batch, M.data(), true, nullptr);
+  }
+}
+
+void add_mass_product(const FilmCells& cells,
+                      const std::vector<double>& densities,
+                      const NodalVector& x, NodalVector& result)
+{
+  const ReferenceElement& element = cells.element();
+  const unsigned int n = element.n_nodes;
+  for (unsigned int index = 0; index < cells.cells().size(); ++index)
+  {
+    const FilmCell& cell = cells.cells()[index];
+    for (unsigned int q = 0; q < n; ++q)
+    {
+      const double* values = &element.values[q * n];
+      const double mass = densities[cell.film] * cells.volume(index, q);
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        double at_point = 0;
+        for (unsigned int b = 0; b < n; ++b)
+          at_point += values[b] * x.local_element(3 * cell.nodes[b] + d);
+        for (unsigned int a = 0; a < n; ++a)
+          result.local_element(3 * cell.nodes[a] + d) +=
+              mass * values[a] * at_point;
+      }
+    }
+  }
+}
+
+void add_force_change(const FilmCells& cells, const std::vector<BatchLaw>& laws,
+                      const NodalVector& positions, const double* internal,
+                      const double alpha, const double* r, NodalVector& forces)
+{
+  Buffer x(cells.nodal_size()), f(cells.nodal_size());
+  Buffer A(cells.internal_size()), b(cells.internal_size());
+  for (unsigned int batch = 0; batch < cells.batches().size(); ++batch)
+  {
+    const BatchLaw& law = laws[cells.batches()[batch].slot];
+    if (law.elastomer->networks.empty())
+      continue;
+    cells.gather(batch, positions, x.data());
+    cells.gather_internal(batch, internal, A.data());
+    cells.gather_internal(batch, r, b.data());
+    compute_force_change(cells.geometry(batch), law, x.data(), A.data(), alpha,
+                         b.data(), f.data());
+    cells.scatter_add(batch, f.data(), forces);
+  }
+}
+
+void compute_internal_change(const FilmCells& cells,
+                             const std::vector<BatchLaw>& laws,
+                             const NodalVector& positions,
+                             const double* internal, const double alpha,
+                             const NodalVector& dx, const double* r,
+                             double* change)
+{
+  Buffer x(cells.nodal_size()), step(cells.nodal_size());
+  Buffer A(cells.internal_size()), b(cells.internal_size()),
+      dA(cells.internal_size());
+  for (unsigned int batch = 0; batch < cells.batches().size(); ++batch)
+  {
+    const BatchLaw& law = laws[cells.batches()[batch].slot];
+    if (law.elastomer->networks.empty())
+      continue;
+    cells.gather(batch, positions, x.data());
+    cells.gather(batch, dx, step.data());
+    cells.gather_internal(batch, internal, A.data());
+    cells.gather_internal(batch, r, b.data());
+    compute_internal_change(cells.geometry(batch), law, x.data(), A.data(),
+                            alpha, step.data(), b.data(), dA.data());
+    cells.scatter_internal(batch, dA.data(), change);
+  }
+}
+
+FilmEnergy compute_energy(const FilmCells& cells,
+                          const std::vector<BatchLaw>& laws,
+                          const NodalVector& positions, const double* internal)
+{
+  Buffer x(cells.nodal_size()), A(cells.internal_size());
+  FilmEnergy sum;
+  for (unsigned int batch = 0; batch < cells.batches().size(); ++batch)
+  {
+    const FilmBatch& members = cells.batches()[batch];
+    cells.gather(batch, positions, x.data());
+    cells.gather_internal(batch, internal, A.data());
+    BatchEnergy energy;
+    compute_energy(cells.geometry(batch), laws[members.slot], x.data(),
+                   A.data(), energy);
+    for (unsigned int lane = 0; lane < members.n_cells; ++lane)
+    {
+      sum.at_voltage += energy.at_voltage[lane];
+      sum.stored += energy.stored[lane];
+    }
+  }
+  return sum;
+}
+
+std::vector<std::array<double, 3>> compute_metric(const FilmCells& cells,
+                                                  const NodalVector& positions)
+{
+  const unsigned int n = cells.element().n_nodes;
+  Buffer x(cells.nodal_size()), C(8 * 3 * n);
+  std::vector<std::array<double, 3>> metric(cells.cells().size() * n);
+  for (unsigned int batch = 0; batch < cells.batches().size(); ++batch)
+  {
+    const FilmBatch& members = cells.batches()[batch];
+    cells.gather(batch, positions, x.data());
+    compute_metric(cells.geometry(batch), x.data(), C.data());
+    for (unsigned int lane = 0; lane < members.n_cells; ++lane)
+      for (unsigned int q = 0; q < n; ++q)
+        for (unsigned int i = 0; i < 3; ++i)
+          metric[members.cells[lane] * n + q][i] = C[(3 * q + i) * 8 + lane];
+  }
+  return metric;
+}
+
+void set_relaxed(const FilmCells& cells, const NodalVector& positions,
+                 double* internal)
+{
+  const unsigned int n = cells.element().n_nodes;
+  const auto metric = compute_metric(cells, positions);
+  for (unsigned int cell = 0; cell < cells.cells().size(); ++cell)
+    for (unsigned int q = 0; q < n; ++q)
+    {
+      const auto& [xx, yy, xy] = metric[cell * n + q];
+      const double det = xx * yy - xy * xy;
+      double* A = internal + cells.first_internal(cell) +
+                  3ul * q * cells.n_networks(cell);
+      for (unsigned int m = 0; m < cells.n_networks(cell); ++m)
+      {
+        A[3 * m] = yy / det;
+        A[3 * m + 1] = xx / det;
+        A[3 * m + 2] = -xy / det;
+      }
+    }
+}
+
+void set_unrelaxed(const FilmCells& cells, double* internal)
+{
+  for (std::size_t i = 0; i < cells.n_internal(); i += 3)
+  {
+    internal[i] = internal[i + 1] = 1;
+    internal[i + 2] = 0;
+  }
+}
+} // namespace taut::fe

@@ -1,0 +1,110 @@
+#include <taut/base/exceptions.h>
+#include <taut/fe/linear_solver.h>
+#include <taut/fe/petsc.h>
+
+namespace taut::fe
+{
+namespace
+{
+/// A PETSc vector around somebody else's array.
+class VectorView
+{
+public:
+  VectorView(Mat matrix, const double* values)
+  {
+    MPI_Comm comm;
+    PetscInt n = 0;
+    TAUT_PETSC(PetscObjectGetComm(reinterpret_cast<PetscObject>(matrix), &comm));
+    TAUT_PETSC(MatGetLocalSize(matrix, &n, nullptr));
+    TAUT_PETSC(
+        VecCreateMPIWithArray(comm, 1, n, PETSC_DETERMINE, values, &vector_));
+  }
+  ~VectorView() { VecDestroy(&vector_); }
+  VectorView(const VectorView&) = delete;
+  VectorView& operator=(const VectorView&) = delete;
+  operator Vec() const { return vector_; }
+
+private:
+  Vec vector_ = nullptr;
+};
+} // namespace
+
+LinearSolver::LinearSolver(Mat matrix, const Kind kind) : matrix_(matrix)
+{
+  MPI_Comm comm;
+  TAUT_PETSC(PetscObjectGetComm(reinterpret_cast<PetscObject>(matrix), &comm));
+  TAUT_PETSC(KSPCreate(comm, &solver_));
+  TAUT_PETSC(KSPSetType(solver_, KSPPREONLY));
+  PC preconditioner = nullptr;
+  TAUT_PETSC(KSPGetPC(solver_, &preconditioner));
+  TAUT_PETSC(
+      PCSetType(preconditioner, kind == Kind::general ? PCLU : PCCHOLESKY));
+  TAUT_PETSC(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS));
+  if (kind == Kind::symmetric_definite)
+    TAUT_PETSC(MatSetOption(matrix, MAT_SPD, PETSC_TRUE));
+  TAUT_PETSC(KSPSetOperators(solver_, matrix, matrix));
+  TAUT_PETSC(PCFactorSetUpMatSolverType(preconditioner));
+  Mat factor = nullptr;
+  TAUT_PETSC(PCFactorGetMatrix(preconditioner, &factor));
+  // Room for fill-in that pivoting adds to the estimate (percent).
+  TAUT_PETSC(MatMumpsSetIcntl(factor, 14, 60));
+}
+
+LinearSolver::~LinearSolver()
+{
+  KSPDestroy(&solver_);
+}
+
+void LinearSolver::factorise()
+{
+  TAUT_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
+  TAUT_PETSC(KSPSetUp(solver_));
+  PC preconditioner = nullptr;
+  PCFailedReason reason = PC_NOERROR;
+  TAUT_PETSC(KSPGetPC(solver_, &preconditioner));
+  TAUT_PETSC(PCGetFailedReason(preconditioner, &reason));
+  if (reason != PC_NOERROR)
+    throw StepRejected("the tangent matrix cannot be factorised: it is "
+                       "singular or holds values that are no numbers");
+}
+
+void LinearSolver::solve(const double* b, double* x)
+{
+  const VectorView right_hand_side(matrix_, b);
+  if (b == x)
+  {
+    Vec solution = nullptr;
+    TAUT_PETSC(VecDuplicate(right_hand_side, &solution));
+    TAUT_PETSC(KSPSolve(solver_, right_hand_side, solution));
+    TAUT_PETSC(VecCopy(solution, right_hand_side));
+    TAUT_PETSC(VecDestroy(&solution));
+  }
+  else
+  {
+    const VectorView solution(matrix_, x);
+    TAUT_PETSC(KSPSolve(solver_, right_hand_side, solution));
+  }
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  TAUT_PETSC(KSPGetConvergedReason(solver_, &reason));
+  if (reason < 0)
+    throw StepRejected("the linear solve with the tangent failed");
+}
+
+int LinearSolver::count_negative_eigenvalues()
+{
+  PC preconditioner = nullptr;
+  Mat factor = nullptr;
+  PetscInt negative = 0, zero = 0, positive = 0;
+  TAUT_PETSC(KSPGetPC(solver_, &preconditioner));
+  TAUT_PETSC(PCFactorGetMatrix(preconditioner, &factor));
+  TAUT_PETSC(MatGetInertia(factor, &negative, &zero, &positive));
+  return negative;
+}
+
+void multiply(Mat matrix, const double* x, double* result)
+{
+  const VectorView from(matrix, x);
+  const VectorView to(matrix, result);
+  TAUT_PETSC(MatMult(matrix, from, to));
+}
+} // namespace taut::fe

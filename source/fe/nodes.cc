@@ -1,0 +1,124 @@
+#include <taut/fe/nodes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace taut::fe
+{
+namespace
+{
+using Vector3 = std::array<double, 3>;
+
+Vector3 get(const NodalVector& vector, const LocalNode node)
+{
+  return {vector.local_element(3 * node), vector.local_element(3 * node + 1),
+          vector.local_element(3 * node + 2)};
+}
+
+double dot(const Vector3& a, const Vector3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// |d_0| (1 - n n^T)/|d| v: the change of |d_0| n when d changes by v; itself
+/// symmetric, so it also moves forces back to d.
+Vector3 turn(const Bar& bar, const NodalVector& positions, const Vector3& v)
+{
+  const Vector3 d = get(positions, bar.director);
+  const double length = std::sqrt(dot(d, d));
+  const double along = dot(d, v) / (length * length);
+  Vector3 result;
+  for (unsigned int i = 0; i < 3; ++i)
+    result[i] = bar.half_length / length * (v[i] - along * d[i]);
+  return result;
+}
+} // namespace
+
+LocalNode Nodes::local(const GlobalNode node) const
+{
+  if (node >= first_owned && node < first_owned + n_owned)
+    return node - first_owned;
+  const auto ghost = std::lower_bound(ghosts.begin(), ghosts.end(), node);
+  if (ghost == ghosts.end() || *ghost != node)
+    throw std::out_of_range("node not on this rank");
+  return n_owned + (ghost - ghosts.begin());
+}
+
+NodalVector Nodes::make_vector() const
+{
+  return NodalVector(partitioner);
+}
+
+void distribute_positions(const Nodes& nodes, NodalVector& positions)
+{
+  // Bars first: a hanging node may lie between nodes of a bar.
+  for (const auto& on_bar : nodes.on_bar)
+  {
+    const Bar& bar = nodes.bars[on_bar.bar];
+    const Vector3 c = get(positions, bar.centre);
+    const Vector3 d = get(positions, bar.director);
+    const double scale =
+        on_bar.fraction * bar.half_length / std::sqrt(dot(d, d));
+    for (unsigned int i = 0; i < 3; ++i)
+      positions.local_element(3 * on_bar.node + i) = c[i] + scale * d[i];
+  }
+  for (const auto& hanging : nodes.hanging)
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      double x = 0;
+      for (const auto& [master, weight] : hanging.masters)
+        x += weight * positions.local_element(3 * master + i);
+      positions.local_element(3 * hanging.node + i) = x;
+    }
+}
+
+void distribute_change(const Nodes& nodes, const NodalVector* positions,
+                       NodalVector& dx)
+{
+  for (const auto& on_bar : nodes.on_bar)
+  {
+    const Bar& bar = nodes.bars[on_bar.bar];
+    const Vector3 dc = get(dx, bar.centre);
+    const Vector3 dd = get(dx, bar.director);
+    const Vector3 turned = positions ? turn(bar, *positions, dd) : dd;
+    for (unsigned int i = 0; i < 3; ++i)
+      dx.local_element(3 * on_bar.node + i) =
+          dc[i] + on_bar.fraction * turned[i];
+  }
+  for (const auto& hanging : nodes.hanging)
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      double x = 0;
+      for (const auto& [master, weight] : hanging.masters)
+        x += weight * dx.local_element(3 * master + i);
+      dx.local_element(3 * hanging.node + i) = x;
+    }
+}
+
+void collect_forces(const Nodes& nodes, const NodalVector* positions,
+                    NodalVector& forces)
+{
+  for (const auto& hanging : nodes.hanging)
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      double& force = forces.local_element(3 * hanging.node + i);
+      for (const auto& [master, weight] : hanging.masters)
+        forces.local_element(3 * master + i) += weight * force;
+      force = 0;
+    }
+  for (const auto& on_bar : nodes.on_bar)
+  {
+    const Bar& bar = nodes.bars[on_bar.bar];
+    const Vector3 force = get(forces, on_bar.node);
+    const Vector3 turned = positions ? turn(bar, *positions, force) : force;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      forces.local_element(3 * bar.centre + i) += force[i];
+      forces.local_element(3 * bar.director + i) +=
+          on_bar.fraction * turned[i];
+      forces.local_element(3 * on_bar.node + i) = 0;
+    }
+  }
+}
+} // namespace taut::fe
