@@ -178,14 +178,14 @@ TEST(Elastomer, LimitMarginIsThatOfTheSpringClosestToItsLimit)
 {
   const Elastomer elastomer = {
       {Gent{1., 10.}, NeoHookean{1.}}, {{ArrudaBoyce{1., 2.}, 1.}}, {}, 0.};
-  // I1 = 4 + 1 + 1/4 for the Gent spring; for the network, at elastic stretches
-  // 2 and 1/2, 4 + 1/4 + 1 of at most 12.
+  // I1 = 4 + 1 + 1/4 of at most 13 for the Gent spring; for the network, of at
+  // most 12, 3 at rest and 12 + 1/4 + 1/3 where it is stretched too far.
   const Tensor C = {4., 1., 0.};
-  const Tensor A = {1., .25, 0.};
-  EXPECT_DOUBLE_EQ(limit_margin(elastomer, C, &A), 1. - 2.25 / 10.);
+  const Tensor at_rest = {.25, 1., 0.};
+  EXPECT_NEAR(limit_margin(elastomer, C, &at_rest), 7.75 / 10., 1e-14);
   const Tensor stretched = {3., .25, 0.};
-  EXPECT_DOUBLE_EQ(limit_margin(elastomer, C, &stretched),
-                   (12. - 12.25 - 1. / 3.) / 9.);
+  EXPECT_NEAR(limit_margin(elastomer, C, &stretched), (-.25 - 1. / 3.) / 9.,
+              1e-14);
   EXPECT_TRUE(
       std::isinf(limit_margin({{NeoHookean{1.}}, {}, {}, 0.}, C, nullptr)));
   // Numbers of automatic differentiation count by their value.

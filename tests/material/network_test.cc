@@ -33,8 +33,8 @@ TEST(Network, ResponseSolvesTheLinearisedEvolution)
       network_response(elastomer, state.C, state.A.data(), alpha, dE, &r, &dA);
       const SymmetricTensor2<First> rate =
           compute_differentiable_rate(elastomer, state.C, state.A[0]);
-      const Tensor by_strain = apply(to_strain(get_jacobian(rate, 0)), dE);
-      const Tensor by_internal = apply(get_jacobian(rate, 3), dA);
+      const Tensor by_strain = multiply(to_strain(get_jacobian(rate, 0)), dE);
+      const Tensor by_internal = multiply(get_jacobian(rate, 3), dA);
       const Tensor change = add_scaled(by_strain, 1., by_internal);
       expect_near({alpha * dA.xx, alpha * dA.yy, alpha * dA.xy},
                   add_scaled(change, 1., r), 1e-10);
@@ -70,7 +70,7 @@ TEST(Network, StressChangeIsTheDerivativeByTheInternalVariable)
           stress(elastomer, make_first(state.C, 0), &A, no_field);
       const Matrix3<double> by_internal = get_jacobian(S, 3);
       expect_near(stress_change(elastomer, state.C, state.A.data(), &dA),
-                  apply(by_internal, dA), 1e-11 * norm(by_internal));
+                  multiply(by_internal, dA), 1e-11 * norm(by_internal));
     }
   }
 }
@@ -95,7 +95,8 @@ TEST(Network, CondensedStiffnessIsStressByStrainAndResponse)
       network_response(elastomer, state.C, A, 5., dE, nullptr, dA.data());
       const Tensor by_internal =
           stress_change(elastomer, state.C, A, dA.data());
-      expect_near(apply(D, dE), add_scaled(apply(fixed, dE), 1., by_internal),
+      expect_near(multiply(D, dE),
+                  add_scaled(multiply(fixed, dE), 1., by_internal),
                   1e-12 * norm(fixed));
     }
   }
@@ -151,9 +152,9 @@ TEST(Network, CondensedStiffnessIsTheDifferenceOfAnImplicitStep)
         step_implicitly(elastomer, state.C, state.A, alpha);
     stress_and_stiffness(elastomer, state.C, end.data(), field, alpha, S, D);
     const double tolerance = 1e-7 * norm(D);
-    expect_near(apply(D, {1., 0., 0.}), difference({2., 0., 0.}), tolerance);
-    expect_near(apply(D, {0., 1., 0.}), difference({0., 2., 0.}), tolerance);
-    expect_near(apply(D, {0., 0., 1.}), difference({0., 0., 1.}), tolerance);
+    expect_near(multiply(D, {1., 0., 0.}), difference({2., 0., 0.}), tolerance);
+    expect_near(multiply(D, {0., 1., 0.}), difference({0., 2., 0.}), tolerance);
+    expect_near(multiply(D, {0., 0., 1.}), difference({0., 0., 1.}), tolerance);
   }
 }
 

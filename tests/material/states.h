@@ -125,7 +125,7 @@ inline double get_asymmetry(const Matrix3<double>& a)
 }
 
 /// The three numbers of a tensor under a map of tensors.h.
-inline Tensor apply(const Matrix3<double>& map, const Tensor& a)
+inline Tensor multiply(const Matrix3<double>& map, const Tensor& a)
 {
   const auto row = [&](unsigned int i)
   { return map[i][0] * a.xx + map[i][1] * a.yy + map[i][2] * a.xy; };
