@@ -188,6 +188,8 @@ TEST(Elastomer, LimitMarginIsThatOfTheSpringClosestToItsLimit)
               1e-14);
   EXPECT_TRUE(
       std::isinf(limit_margin({{NeoHookean{1.}}, {}, {}, 0.}, C, nullptr)));
+  const Tensor lost = {std::nan(""), .25, 0.};
+  EXPECT_TRUE(std::isnan(limit_margin(elastomer, C, &lost)));
   // Numbers of automatic differentiation count by their value.
   const SymmetricTensor2<Second> differentiable = make_second(C, 0);
   EXPECT_DOUBLE_EQ(limit_margin(relaxed(elastomer), differentiable, nullptr),

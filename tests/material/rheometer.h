@@ -280,10 +280,13 @@ inline double find_pull_in_time(const Specimen& specimen, double stress,
   auto stepper = odeint::make_dense_output(1e-13, 1e-13,
                                            odeint::runge_kutta_dopri5<State>());
   stepper.initialize(state, start, 1e-4 * start);
-  std::pair<double, double> step;
-  do
+  std::pair<double, double> step = stepper.do_step(slope);
+  while (tangent(stepper.current_state(), step.second) > 0.)
+  {
+    if (!(step.second < 2. * highest_stretch))
+      throw std::runtime_error("no pull-in at the stretches looked at");
     step = stepper.do_step(slope);
-  while (tangent(stepper.current_state(), step.second) > 0.);
+  }
   const double end = find_root(
       [&](double stretch)
       {
