@@ -196,7 +196,8 @@ void Builder::check_surfaces(const std::vector<Block>& blocks) const
         "{} of the {} surface elements are triangles, but a film needs "
         "quadrilaterals: end the .geo with 'Recombine Surface {{:}};', "
         "'Mesh.RecombinationAlgorithm = 1;' and 'Mesh.Algorithm = 6;', or set "
-        "'Mesh.RecombineAll = 1;'",
+        "'Mesh.RecombineAll = 1;'; if a few triangles remain, add "
+        "'Mesh.SubdivisionAlgorithm = 1;', which splits every cell",
         triangles, triangles + others));
   if (without_group > 0)
     refuse(fmt::format("{} of the {} surface elements lie in no physical "

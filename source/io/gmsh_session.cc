@@ -26,20 +26,32 @@ bool is_geometry(const std::string& file)
   return std::filesystem::path(file).extension() == ".geo";
 }
 
+std::string read_text(const std::string& file)
+{
+  std::ifstream stream(file);
+  if (!std::filesystem::is_regular_file(file) || !stream)
+    throw BadInput("the mesh file is missing or cannot be read", file, 0, "");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 /// gmsh itself opens a missing file, an empty one or a folder in silence.
 void check_file(const std::string& file)
 {
   const std::string extension = std::filesystem::path(file).extension();
   if (extension != ".geo" && extension != ".msh")
     throw BadInput("a mesh is read from a .geo or .msh file", file, 0, "");
-  std::ifstream stream(file);
-  if (!std::filesystem::is_regular_file(file) || !stream)
-    throw BadInput("the mesh file is missing or cannot be read", file, 0, "");
-  const bool is_blank =
-      std::all_of(std::istreambuf_iterator<char>(stream), {},
-                  [](const unsigned char c) { return std::isspace(c); });
-  if (is_blank)
+  const std::string text = read_text(file);
+  if (std::all_of(text.begin(), text.end(),
+                  [](const unsigned char c) { return std::isspace(c); }))
     throw BadInput("the mesh file is empty", file, 0, "");
+  // Without a line break at its end gmsh carries out only the first statement
+  // of the last line, in silence.
+  const std::string last_line = text.substr(text.rfind('\n') + 1);
+  if (is_geometry(file) &&
+      std::count(last_line.begin(), last_line.end(), ';') > 1)
+    throw BadInput("the last line holds several statements and must end with "
+                   "a line break, or gmsh passes over all but the first",
+                   file, 0, "");
 }
 
 void check_parameters(const std::string& file, const Parameters& parameters)
