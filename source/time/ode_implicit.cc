@@ -8,10 +8,10 @@
 #include <cmath>
 #include <string>
 
-#include "callback_guard.h"
+#include "system_callback.h"
 #include "communicator.h"
 #include "ode_stepper.h"
-#include "sundials_support.h"
+#include "system_sundials.h"
 
 namespace taut::time
 {

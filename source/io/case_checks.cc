@@ -1,0 +1,225 @@
+#include <taut/base/exceptions.h>
+#include <taut/io/case_checks.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace taut::io
+{
+namespace
+{
+using structure::Film;
+
+/// A film case has films, and something that holds them.
+void check_completeness(const CaseText& text, const structure::Device& device)
+{
+  if (device.films.empty())
+    text.refuse({}, "",
+                "the case has no film: a 'subsection Film NAME' is "
+                "needed");
+  const auto holds = [](const structure::Support& support)
+  { return support.held[0] || support.held[1] || support.held[2]; };
+  if (device.supports.empty())
+    text.refuse({}, "",
+                "the film has no support and would drift freely: a "
+                "'subsection Support NAME' is needed");
+  for (const structure::Support& support : device.supports)
+    if (!holds(support))
+      text.refuse({"Support " + support.name}, "Held",
+                  "the support holds nothing");
+}
+
+/// No surface belongs to two entries of a kind.
+template <class Item>
+void check_groups_unique(const CaseText& text, const std::string& kind,
+                         const std::string& key, const std::vector<Item>& items)
+{
+  std::map<std::string, std::string> owners;
+  for (const Item& item : items)
+    for (const std::string& group : item.groups)
+    {
+      const auto [owner, is_new] = owners.emplace(group, item.name);
+      if (!is_new)
+        text.refuse({kind + " " + item.name}, key,
+                    fmt::format("the group '{}' belongs to '{} {}' already",
+                                group, kind, owner->second));
+    }
+}
+
+void check_pre_stretch(const CaseText& text, const Film& film,
+                       const structure::Start start)
+{
+  const double first = film.pre_stretch[0], second = film.pre_stretch[1];
+  const material::SymmetricTensor2<double> C{first * first, second * second, 0};
+  const material::SymmetricTensor2<double> strained{1, 1, 0};
+  const material::SymmetricTensor2<double> at_rest =
+      material::relaxed_internal(C);
+  const std::vector<material::SymmetricTensor2<double>> internal(
+      film.material.networks.size(),
+      start == structure::Start::unrelaxed ? strained : at_rest);
+  if (material::limit_margin(film.material, C, internal.data()) > 0)
+    return;
+  text.refuse({"Film " + film.name}, "Pre-stretch",
+              fmt::format("the pre-stretch reaches I1 - 3 = {:.6g}, which "
+                          "exceeds the limit of a spring of the material",
+                          first * first + second * second +
+                              1 / (first * first * second * second) - 3));
+}
+
+void check_film(const CaseText& text, const Film& film,
+                const structure::Start start)
+{
+  check_pre_stretch(text, film, start);
+  const auto& axis = film.axis;
+  if (std::hypot(axis[0], axis[1], axis[2]) == 0)
+    text.refuse({"Film " + film.name}, "Axis", "the direction has no length");
+}
+
+/// A motion is prescribed completely or not at all.
+void check_support(const CaseText& text, const structure::Support& support)
+{
+  const SectionPath section = {"Support " + support.name};
+  const std::array<const char*, 3> axes{{"x", "y", "z"}};
+  bool moves = false;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const bool shaped = support.shape[i] != "0";
+    if (shaped && !support.held[i])
+      text.refuse(section, std::string("Shape ") + axes[i],
+                  fmt::format("a displacement along {} is prescribed, but Held "
+                              "does not list {}",
+                              axes[i], axes[i]));
+    moves = moves || shaped;
+  }
+  const bool at_rest =
+      support.amplitude.is_constant() && support.amplitude.value(0) == 0;
+  if (moves && at_rest)
+    text.refuse(section, "Amplitude",
+                "a Shape is given, but its factor Amplitude is zero");
+  if (!moves && !at_rest)
+    text.refuse(section, "Amplitude", "there is no Shape that it multiplies");
+}
+
+void check_edge_load(const CaseText& text, const structure::EdgeLoad& load)
+{
+  const auto& direction = load.direction;
+  if (std::hypot(direction[0], direction[1], direction[2]) == 0)
+    text.refuse({"Edge load " + load.name}, "Direction",
+                "the direction has no length");
+}
+
+/// A breakdown can only be watched where the material states its strength.
+void check_event(const CaseText& text, const structure::EventDescription& event,
+                 const structure::Device& device)
+{
+  if (event.kind != structure::EventDescription::Kind::breakdown)
+    return;
+  if (event.threshold != 0)
+    text.refuse({"Event " + event.name}, "Threshold",
+                "a breakdown has no threshold; its limit is the Breakdown "
+                "strength of the material");
+  for (const Film& film : device.films)
+    if ((event.of.empty() || event.of == film.name) &&
+        std::isfinite(film.material.dielectric.breakdown_strength))
+      return;
+  text.refuse({"Event " + event.name}, "Kind",
+              "no watched film has a material with a Breakdown strength");
+}
+
+void check_times_listed(const CaseText& text, const std::string& key,
+                        const std::vector<double>& times,
+                        const study::ProcedureDescription& procedure)
+{
+  for (const double time : times)
+    if (time < procedure.start_time || time > procedure.end_time)
+      text.refuse({"Output"}, key,
+                  fmt::format("{} s is not between the start {} s and the end "
+                              "{} s of the run",
+                              time, procedure.start_time, procedure.end_time));
+}
+
+void check_times(const CaseText& text, const study::Case& content)
+{
+  const study::ProcedureDescription& procedure = content.procedure;
+  if (procedure.end_time <= procedure.start_time)
+    text.refuse({"Procedure"}, "End time",
+                fmt::format("the end {} s must come after the start {} s",
+                            procedure.end_time, procedure.start_time));
+  check_times_listed(text, "History times", content.output.history_times,
+                     procedure);
+  check_times_listed(text, "Field times", content.output.field_times,
+                     procedure);
+}
+
+void check_shares(const CaseText& text,
+                  const study::LumpedResonatorDescription& resonator)
+{
+  const SectionPath section = {"Lumped resonator"};
+  const std::size_t n_networks = resonator.relaxation_times.size();
+  const auto& shares = resonator.network_shares;
+  const double rest = 1 - resonator.equilibrium_share;
+  if ((rest > 0) != (n_networks > 0))
+    text.refuse(section, "Relaxation times",
+                fmt::format("networks carry the share {:.6g} of the modulus "
+                            "(1 - Equilibrium share), but {} are given",
+                            rest, n_networks));
+  if (shares.empty())
+    return;
+  if (shares.size() != n_networks)
+    text.refuse(section, "Network shares",
+                fmt::format("{} shares are given for {} relaxation times",
+                            shares.size(), n_networks));
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.);
+  if (std::abs(sum - rest) > 1e-9)
+    text.refuse(section, "Network shares",
+                fmt::format("the shares add up to {:.12g}, not to {:.12g} "
+                            "(1 - Equilibrium share)",
+                            sum, rest));
+}
+
+void check_lumped_resonator(const CaseText& text,
+                            const study::LumpedResonatorDescription& resonator)
+{
+  check_shares(text, resonator);
+  const double first = resonator.pre_stretch[0];
+  const double second = resonator.pre_stretch[1];
+  const double invariant =
+      first * first + second * second + 1 / (first * first * second * second);
+  if (invariant >= resonator.limit + 3)
+    text.refuse({"Lumped resonator"}, "Pre-stretch",
+                fmt::format("the pre-stretch reaches I1 - 3 = {:.6g}, which "
+                            "exceeds Limit = {:.6g}",
+                            invariant - 3, resonator.limit));
+}
+
+void check_device(const CaseText& text, const CaseDraft& draft)
+{
+  const structure::Device& device = draft.content.device;
+  check_completeness(text, device);
+  check_groups_unique(text, "Film", "Surfaces", device.films);
+  check_groups_unique(text, "Electrode", "Surfaces", device.electrodes);
+  check_groups_unique(text, "Bar", "Lines", device.bars);
+  for (const Film& film : device.films)
+    check_film(text, film, draft.content.procedure.start);
+  for (const structure::Support& support : device.supports)
+    check_support(text, support);
+  for (const structure::EdgeLoad& load : device.edge_loads)
+    check_edge_load(text, load);
+  for (const structure::EventDescription& event : device.events)
+    check_event(text, event, device);
+}
+} // namespace
+
+void check_case(const CaseText& text, const CaseDraft& draft)
+{
+  if (draft.content.model == "resonator")
+    check_lumped_resonator(text, draft.content.lumped_resonator);
+  else
+    check_device(text, draft);
+  check_times(text, draft.content);
+}
+} // namespace taut::io

@@ -1,0 +1,208 @@
+#include <taut/base/exceptions.h>
+#include <taut/base/nearest_name.h>
+#include <taut/io/case_checks.h>
+#include <taut/material/validate.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace taut::io
+{
+namespace
+{
+using structure::EventDescription;
+using structure::Probe;
+
+template <class Item>
+std::vector<std::string> names_in(const std::vector<Item>& items)
+{
+  std::vector<std::string> names;
+  for (const Item& item : items)
+    names.push_back(item.name);
+  return names;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Surfaces that carry a film.
+std::vector<std::string> film_surfaces(const structure::Device& device)
+{
+  std::vector<std::string> all;
+  for (const structure::Film& film : device.films)
+    all.insert(all.end(), film.groups.begin(), film.groups.end());
+  return all;
+}
+
+/// Refuses a name that is none of `known`; `what` is "film", "bar", ...
+void check_name(const CaseText& text, const SectionPath& section,
+                const std::string& key, const std::string& name,
+                const std::string& what, const std::vector<std::string>& known)
+{
+  if (contains(known, name))
+    return;
+  if (name.empty())
+    text.refuse(section, key,
+                fmt::format("the name of a {} is needed; {}", what,
+                            suggest(name, known)));
+  text.refuse(
+      section, key,
+      fmt::format("there is no {} '{}'; {}", what, name, suggest(name, known)));
+}
+
+/// Errors: BadInput at the section of the material.
+material::Elastomer make_elastomer(const CaseText& text,
+                                   const MaterialDraft& draft)
+{
+  material::Elastomer elastomer{};
+  for (const NamedSpring& spring : draft.springs)
+    elastomer.springs.push_back(spring.spring);
+  for (const NamedNetwork& network : draft.networks)
+    elastomer.networks.push_back(network.network);
+  elastomer.dielectric = draft.dielectric;
+  elastomer.density = draft.density;
+  try
+  {
+    material::validate(elastomer);
+  }
+  catch (const BadInput& problem)
+  {
+    text.refuse({"Material " + draft.name}, "", problem.message());
+  }
+  return elastomer;
+}
+
+void resolve_materials(const CaseText& text, CaseDraft& draft)
+{
+  const std::vector<std::string> known = names_in(draft.materials);
+  for (std::size_t i = 0; i < draft.film_materials.size(); ++i)
+  {
+    structure::Film& film = draft.content.device.films[i];
+    const std::string& name = draft.film_materials[i];
+    check_name(text, {"Film " + film.name}, "Material", name, "material",
+               known);
+    const auto position = std::find(known.begin(), known.end(), name);
+    film.material =
+        make_elastomer(text, draft.materials[position - known.begin()]);
+  }
+}
+
+/// Films carry electrodes and pressures, so their groups are known here.
+void check_surfaces(const CaseText& text, const structure::Device& device)
+{
+  const std::vector<std::string> known = film_surfaces(device);
+  for (const auto& electrode : device.electrodes)
+    for (const std::string& group : electrode.groups)
+      check_name(text, {"Electrode " + electrode.name}, "Surfaces", group,
+                 "surface with a film", known);
+  for (const auto& pressure : device.pressures)
+    for (const std::string& group : pressure.groups)
+      check_name(text, {"Pressure " + pressure.name}, "Surfaces", group,
+                 "surface with a film", known);
+}
+
+/// What `Of` of a probe refers to; `known` empty if to a group of the mesh.
+struct Referred
+{
+  std::string what;
+  std::vector<std::string> known;
+  /// Whether several names are allowed, separated by commas.
+  bool is_list = false;
+};
+
+Referred referred_by(const Probe::Kind kind, const structure::Device& device)
+{
+  switch (kind)
+  {
+  case Probe::Kind::position:
+  case Probe::Kind::displacement:
+  case Probe::Kind::velocity:
+    return {};
+  case Probe::Kind::volume:
+    return {"surface with a film", film_surfaces(device), true};
+  case Probe::Kind::bar_displacement:
+  case Probe::Kind::bar_velocity:
+  case Probe::Kind::bar_rotation:
+    return {"bar", names_in(device.bars)};
+  case Probe::Kind::voltage:
+  case Probe::Kind::charge:
+  case Probe::Kind::capacitance:
+    return {"electrode", names_in(device.electrodes)};
+  case Probe::Kind::reaction:
+    return {"support", names_in(device.supports)};
+  default:
+    return {"film", names_in(device.films)};
+  }
+}
+
+void resolve_probe(const CaseText& text, const structure::Device& device,
+                   const ProbePoint& point, Probe& probe)
+{
+  const SectionPath section = {"Probe " + probe.name};
+  const Referred referred = referred_by(probe.kind, device);
+  if (!referred.what.empty())
+    for (const std::string& name : referred.is_list
+                                       ? split_list(probe.of)
+                                       : std::vector<std::string>{probe.of})
+      check_name(text, section, "Of", name, referred.what, referred.known);
+  if (referred.what == "film" && probe.component > 1)
+    text.refuse(section, "Component", "a film has the axes first and second");
+  const bool at_point = referred.what.empty() && probe.of.empty();
+  if (at_point && !point)
+    text.refuse(section, "Point",
+                "the probe needs a place: give Point, or Of for a group of "
+                "the mesh");
+  if (!at_point && point)
+    text.refuse(section, "Point",
+                "a probe of a named part has no use for Point, which goes with "
+                "position, displacement and velocity and an empty Of");
+  probe.point = point.value_or(probe.point);
+}
+
+void check_event(const CaseText& text, const EventDescription& event,
+                 const structure::Device& device)
+{
+  const SectionPath section = {"Event " + event.name};
+  const bool of_probe = event.kind == EventDescription::Kind::probe_above ||
+                        event.kind == EventDescription::Kind::probe_below;
+  if (of_probe)
+    check_name(text, section, "Of", event.of, "probe", names_in(device.probes));
+  else if (!event.of.empty())
+    check_name(text, section, "Of", event.of, "film", names_in(device.films));
+}
+
+void resolve_comparison(const CaseText& text, CaseDraft& draft)
+{
+  const SectionPath section = {"Comparison"};
+  if (!text.find(section))
+    return;
+  const structure::Device& device = draft.content.device;
+  const study::ComparisonDescription& parts = draft.comparison;
+  const std::vector<std::string> films = names_in(device.films);
+  check_name(text, section, "Active film", parts.active_film, "film", films);
+  check_name(text, section, "Passive film", parts.passive_film, "film", films);
+  if (parts.active_film == parts.passive_film)
+    text.refuse(section, "Passive film",
+                "the active and the passive film must be two");
+  check_name(text, section, "Electrode", parts.electrode, "electrode",
+             names_in(device.electrodes));
+  check_name(text, section, "Bar", parts.bar, "bar", names_in(device.bars));
+  draft.content.comparison = parts;
+}
+} // namespace
+
+void resolve_names(const CaseText& text, CaseDraft& draft)
+{
+  structure::Device& device = draft.content.device;
+  resolve_materials(text, draft);
+  check_surfaces(text, device);
+  for (std::size_t i = 0; i < device.probes.size(); ++i)
+    resolve_probe(text, device, draft.probe_points[i], device.probes[i]);
+  for (const EventDescription& event : device.events)
+    check_event(text, event, device);
+  resolve_comparison(text, draft);
+}
+} // namespace taut::io

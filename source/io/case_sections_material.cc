@@ -1,0 +1,193 @@
+#include <taut/base/nearest_name.h>
+#include <taut/io/case_sections.h>
+
+namespace taut::io
+{
+namespace
+{
+/// A law by the word that selects it; `declare` makes it the content of the
+/// variant and declares its constants.
+template <class Variant>
+struct Law
+{
+  std::string name;
+  void (*declare)(Section& section, Variant& target);
+};
+
+const Format<double>& modulus()
+{
+  static const Format<double> format = number(positive(), "Pa");
+  return format;
+}
+
+const Format<double>& coefficient()
+{
+  static const Format<double> format = number(any(), "Pa");
+  return format;
+}
+
+/// The selector of springs: one line group per law.
+const std::vector<Law<material::Spring>>& spring_laws()
+{
+  using material::Spring;
+  static const std::vector<Law<Spring>> laws = {
+      {"neo-Hookean",
+       [](Section& section, Spring& target)
+       {
+         auto& law = target.emplace<material::NeoHookean>();
+         section.required("Shear modulus", law.shear_modulus, modulus(), "G");
+       }},
+      {"Mooney-Rivlin",
+       [](Section& section, Spring& target)
+       {
+         auto& law = target.emplace<material::MooneyRivlin>();
+         const Format<double> not_below_zero = number(not_negative(), "Pa");
+         section.required("First coefficient", law.first_coefficient,
+                          not_below_zero, "c1 of c1 (I1 - 3) + c2 (I2 - 3)");
+         section.required("Second coefficient", law.second_coefficient,
+                          not_below_zero, "c2");
+       }},
+      {"Gent",
+       [](Section& section, Spring& target)
+       {
+         auto& law = target.emplace<material::Gent>();
+         section.required("Shear modulus", law.shear_modulus, modulus(), "G");
+         section.required("Limit", law.limit,
+                          number(positive(), "dimensionless"),
+                          "J_lim, the value of I1 - 3 that is never reached");
+       }},
+      {"Yeoh",
+       [](Section& section, Spring& target)
+       {
+         auto& law = target.emplace<material::Yeoh>();
+         section.required("First coefficient", law.first_coefficient, modulus(),
+                          "c1 of c1 x + c2 x^2 + c3 x^3, x = I1 - 3");
+         section.required("Second coefficient", law.second_coefficient,
+                          coefficient(), "c2");
+         section.required("Third coefficient", law.third_coefficient,
+                          coefficient(), "c3");
+       }},
+      {"Arruda-Boyce", [](Section& section, Spring& target)
+       {
+         auto& law = target.emplace<material::ArrudaBoyce>();
+         section.required("Shear modulus", law.shear_modulus, modulus(),
+                          "G of long chains; the modulus at small strain is "
+                          "larger");
+         section.required("Limit stretch", law.limit_stretch,
+                          number(above(1), "dimensionless"),
+                          "stretch of a chain at full length");
+       }}};
+  return laws;
+}
+
+const std::vector<Law<material::PermittivityLaw>>& permittivity_laws()
+{
+  using material::PermittivityLaw;
+  static const std::vector<Law<PermittivityLaw>> laws = {
+      {"constant",
+       [](Section& section, PermittivityLaw& target)
+       {
+         auto& law = target.emplace<material::ConstantPermittivity>();
+         law.relative = 1;
+         section.optional("Relative permittivity", law.relative,
+                          number({1, 1e6}, "dimensionless"), "eps_r");
+       }},
+      {"stretch-dependent", [](Section& section, PermittivityLaw& target)
+       {
+         auto& law = target.emplace<material::StretchPermittivity>();
+         const Format<double> pure = number(any(), "dimensionless");
+         section.optional("High-temperature permittivity", law.high_temperature,
+                          number(not_negative(), "dimensionless"),
+                          "eps_inf of eps_r = (eps_inf + A/T)(1 + a x + b x^2 "
+                          "+ c x^3), x = lambda_1 + lambda_2 - 2");
+         section.optional("Dipole constant", law.dipole,
+                          number(not_negative(), "K"), "A");
+         section.optional("Linear coefficient", law.linear, pure, "a");
+         section.optional("Quadratic coefficient", law.quadratic, pure, "b");
+         section.optional("Cubic coefficient", law.cubic, pure, "c");
+       }}};
+  return laws;
+}
+
+/// Declares the key that selects a law, and the constants of the selected one.
+template <class Variant>
+void declare_law(Section& section, const CaseText& text, const std::string& key,
+                 const std::vector<Law<Variant>>& laws, std::string& selected,
+                 Variant& target, const std::string& meaning)
+{
+  std::vector<std::string> known;
+  for (const Law<Variant>& law : laws)
+    known.push_back(law.name);
+  const Format<std::string> format = one_of(known);
+  if (selected.empty())
+    section.required(key, selected, format, meaning);
+  else
+    section.optional(key, selected, format, meaning);
+  const Entry* entry = text.find(section.path(), key);
+  const std::string name = entry ? entry->value : selected;
+  for (const Law<Variant>& law : laws)
+    if (law.name == name)
+      return law.declare(section, target);
+  text.refuse(section.path(), key,
+              name.empty() ? "the law must be given; " + suggest(name, known)
+                           : "unknown law; " + suggest(name, known));
+}
+
+void declare_network(Section& section, const CaseText& text, NamedNetwork& item)
+{
+  declare_law(section, text, "Law", spring_laws(), item.law,
+              item.network.spring, "law of the spring behind the dashpot");
+  section.required("Relaxation time", item.network.relaxation_time,
+                   number(positive(), "s"),
+                   "viscosity over the small-strain modulus of the spring");
+}
+
+void declare_dielectric(Section section, const CaseText& text,
+                        MaterialDraft& material)
+{
+  declare_law(section, text, "Permittivity", permittivity_laws(),
+              material.permittivity_law, material.dielectric.permittivity,
+              "law of the permittivity");
+  section.optional("Breakdown strength", material.dielectric.breakdown_strength,
+                   number_or(positive(), "V/m", "none",
+                             std::numeric_limits<double>::infinity()),
+                   "largest true field that the film stands");
+}
+
+void declare_material(Declarations& all, Section& section, const CaseText& text,
+                      MaterialDraft& material)
+{
+  section.required("Density", material.density, number(positive(), "kg/m^3"),
+                   "mass per volume");
+  declare_list(all, text, section.path(), "Spring",
+               "an elastic law; springs of a material stand side by side",
+               material.springs,
+               [&text](Section& inner, NamedSpring& item)
+               {
+                 declare_law(inner, text, "Law", spring_laws(), item.law,
+                             item.spring, "law of the spring");
+               });
+  declare_list(all, text, section.path(), "Network",
+               "a spring in series with a dashpot, beside the springs",
+               material.networks,
+               [&text](Section& inner, NamedNetwork& item)
+               { declare_network(inner, text, item); });
+  SectionPath dielectric = section.path();
+  dielectric.push_back("Dielectric");
+  all.allow_section(section.path(), "Dielectric", false);
+  declare_dielectric(all.section(dielectric, "the electrical part"), text,
+                     material);
+}
+} // namespace
+
+void declare_materials(Declarations& all, const CaseText& text,
+                       std::vector<MaterialDraft>& materials)
+{
+  declare_list(all, text, {}, "Material",
+               "what films are made of: springs, viscous networks and a "
+               "dielectric; films refer to it by its name",
+               materials,
+               [&](Section& section, MaterialDraft& material)
+               { declare_material(all, section, text, material); });
+}
+} // namespace taut::io

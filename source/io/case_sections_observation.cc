@@ -1,0 +1,96 @@
+#include <taut/io/case_sections.h>
+
+namespace taut::io
+{
+namespace
+{
+using structure::EventDescription;
+using structure::Probe;
+
+Format<Probe::Kind> probe_kind()
+{
+  using Kind = Probe::Kind;
+  return choice<Kind>({{"position", Kind::position},
+                       {"displacement", Kind::displacement},
+                       {"velocity", Kind::velocity},
+                       {"bar displacement", Kind::bar_displacement},
+                       {"bar velocity", Kind::bar_velocity},
+                       {"bar rotation", Kind::bar_rotation},
+                       {"voltage", Kind::voltage},
+                       {"charge", Kind::charge},
+                       {"capacitance", Kind::capacitance},
+                       {"reaction", Kind::reaction},
+                       {"mean stretch", Kind::mean_stretch},
+                       {"mean stress", Kind::mean_stress},
+                       {"min principal stress", Kind::min_principal_stress},
+                       {"max true field", Kind::max_true_field},
+                       {"volume", Kind::volume}});
+}
+
+Format<unsigned int> component()
+{
+  return choice<unsigned int>(
+      {{"x", 0}, {"y", 1}, {"z", 2}, {"first", 0}, {"second", 1}});
+}
+
+void declare_probe(Section& section, Probe& probe, ProbePoint& point)
+{
+  section.required("Quantity", probe.kind, probe_kind(),
+                   "what is recorded, in SI units");
+  section.optional("Of", probe.of,
+                   text("a name, or empty for a point given by Point"),
+                   "the bar, electrode, support or film; for points and "
+                   "volumes a group of the mesh");
+  section.optional("Point", point,
+                   optionally(three_numbers(any(), "m"), "none"),
+                   "the point in the mesh if Of is empty");
+  section.optional("Component", probe.component, component(),
+                   "component of a vector, or axis of the film");
+}
+
+Format<EventDescription::Kind> event_kind()
+{
+  using Kind = EventDescription::Kind;
+  return choice<Kind>({{"tension loss", Kind::tension_loss},
+                       {"breakdown", Kind::breakdown},
+                       {"probe above", Kind::probe_above},
+                       {"probe below", Kind::probe_below}});
+}
+
+void declare_event(Section& section, EventDescription& event)
+{
+  section.required("Kind", event.kind, event_kind(), "what is watched for");
+  section.optional("Of", event.of,
+                   text("the name of a film or probe, or empty for all films"),
+                   "the film of a tension loss or breakdown, the probe of the "
+                   "others");
+  section.optional("Threshold", event.threshold,
+                   number(any(), "Pa for a tension loss, else the probe's SI "
+                                 "unit"),
+                   "smallest principal stress of a taut film, or the value "
+                   "that the probe passes; not used by breakdown");
+  section.optional("Quantile", event.quantile,
+                   number(within(0, 1), "dimensionless"),
+                   "share of the film's area that may be beyond the "
+                   "threshold");
+  section.optional("Fatal", event.fatal, yes_no(),
+                   "whether the event ends the run");
+}
+} // namespace
+
+void declare_observation(Declarations& all, const CaseText& text,
+                         CaseDraft& draft)
+{
+  structure::Device& device = draft.content.device;
+  draft.probe_points.resize(text.names_of({}, "Probe").size());
+  declare_list(all, text, {}, "Probe", "a number recorded in history.csv",
+               device.probes,
+               [&](Section& section, Probe& probe)
+               {
+                 declare_probe(section, probe,
+                               draft.probe_points[&probe - &device.probes[0]]);
+               });
+  declare_list(all, text, {}, "Event", "a condition located in time",
+               device.events, declare_event);
+}
+} // namespace taut::io

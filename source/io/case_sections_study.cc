@@ -1,0 +1,184 @@
+#include <taut/io/case_sections.h>
+
+namespace taut::io
+{
+namespace
+{
+using namespace study;
+
+void declare_procedure(Section section, ProcedureDescription& procedure)
+{
+  using structure::Analysis;
+  using structure::Start;
+  section.optional("Analysis", procedure.analysis,
+                   choice<Analysis>({{"equilibrium", Analysis::equilibrium},
+                                     {"quasi-static", Analysis::quasi_static},
+                                     {"transient", Analysis::transient}}),
+                   "static path, viscous flow without inertia, or motion");
+  section.optional("Start", procedure.start,
+                   choice<Start>({{"relaxed", Start::relaxed},
+                                  {"unrelaxed", Start::unrelaxed}}),
+                   "whether the networks have forgotten the pre-stretch when "
+                   "the run starts, or the pre-stretch has just been applied");
+  section.optional("Start time", procedure.start_time, number(any(), "s"),
+                   "time at which the run starts");
+  section.optional("End time", procedure.end_time, number(any(), "s"),
+                   "time at which the run ends");
+  section.optional("Newton tolerance", procedure.newton_tolerance,
+                   number(within(1e-15, 1e-2), "dimensionless"),
+                   "residual of an equilibrium over its internal forces");
+  section.optional("Load steps", procedure.load_steps, count(1, 1000000),
+                   "least number of steps of an equilibrium path");
+}
+
+void declare_integrator(Section section, time::IntegratorOptions& options)
+{
+  using time::Method;
+  section.optional("Method", options.method,
+                   choice<Method>({{"esdirk4", Method::esdirk4},
+                                   {"esdirk3", Method::esdirk3},
+                                   {"bdf", Method::bdf}}),
+                   "implicit Runge-Kutta of order 4 or 3, or variable-order "
+                   "BDF");
+  section.optional("Position tolerance", options.position_tolerance,
+                   number(positive(), "m"),
+                   "local error of a displacement, root mean square");
+  section.optional("Internal tolerance", options.internal_tolerance,
+                   number(positive(), "dimensionless"),
+                   "local error of an internal variable in quasi-static runs");
+  section.optional("Weight of rates", options.weight_of_rates,
+                   number(positive(), "dimensionless"),
+                   "weight of velocities in the error, and in transient runs "
+                   "of internal variables");
+  section.optional("Velocity time", options.velocity_time,
+                   number(positive(), "s"),
+                   "turns the position tolerance into one of velocity");
+  section.optional("First step", options.first_step, number(positive(), "s"),
+                   "step after the start and after every kink of a signal");
+  section.optional("Largest step", options.largest_step,
+                   number(not_negative(), "s"), "bound of the step; 0 is none");
+  section.optional("Highest order", options.max_order, small_count(1, 5),
+                   "highest order of bdf");
+  section.optional("Largest step change", options.max_gamma_change,
+                   number(within(0, 1), "dimensionless"),
+                   "relative change of the step that keeps the factorisation");
+  section.optional("Factorisation interval", options.setup_frequency,
+                   small_count(1, 1000000),
+                   "steps after which the matrix is factorised anew");
+  section.optional("Most steps", options.max_steps, long_count(1),
+                   "number of steps after which the run fails");
+}
+
+void declare_output(Section section, OutputDescription& output)
+{
+  section.optional("History intervals", output.history_intervals,
+                   count(0, 100000000),
+                   "equal intervals between the rows of history.csv; 0 "
+                   "gives the start and the end alone");
+  section.optional("Field intervals", output.field_intervals, count(0, 1000000),
+                   "equal intervals between the frames of fields.pvd; 0 "
+                   "gives the start and the end alone");
+  section.optional("History times", output.history_times, numbers(any(), "s"),
+                   "further times of rows");
+  section.optional("Field times", output.field_times, numbers(any(), "s"),
+                   "further times of frames");
+  section.optional("Write fields", output.write_fields, yes_no(),
+                   "whether fields.pvd is written at all");
+}
+
+void declare_checkpoint(Section section, CheckpointDescription& checkpoint)
+{
+  section.optional("Every steps", checkpoint.every_steps, long_count(0),
+                   "accepted steps between checkpoints, 0 is never; the "
+                   "integrator starts anew at each");
+  section.optional("Every time", checkpoint.every_time,
+                   number(not_negative(), "s"),
+                   "simulated time between checkpoints, 0 is never; the "
+                   "integrator starts anew at each");
+  section.optional("Every minutes", checkpoint.every_minutes,
+                   number(not_negative(), "min"),
+                   "wall time between checkpoints, 0 is never");
+}
+
+void declare_comparison(Section section, ComparisonDescription& comparison)
+{
+  section.required("Active film", comparison.active_film,
+                   text("the name of a film"),
+                   "the film that plays the strip with electrodes");
+  section.required("Passive film", comparison.passive_film,
+                   text("the name of a film"),
+                   "the film that plays the strip without");
+  section.required("Electrode", comparison.electrode,
+                   text("the name of an electrode"), "the driven electrode");
+  section.required("Bar", comparison.bar, text("the name of a bar"),
+                   "the bar between the strips");
+}
+} // namespace
+
+void declare_lumped_resonator(Declarations& all,
+                              LumpedResonatorDescription& resonator)
+{
+  const Format<double> length = number(positive(), "m");
+  const Format<double> pure = number(positive(), "dimensionless");
+  all.section({"Lumped resonator"},
+              "two strips in a frame with a bar between them, the case of "
+              "Model = resonator")
+      .required("Length active", resonator.length_active, length,
+                "undeformed length of the strip with electrodes")
+      .required("Length passive", resonator.length_passive, length,
+                "undeformed length of the strip without")
+      .required("Width", resonator.width, length, "undeformed width of both")
+      .required("Thickness", resonator.thickness, length,
+                "undeformed thickness of both")
+      .optional("Pre-stretch", resonator.pre_stretch,
+                two_numbers(positive(), "dimensionless"),
+                "stretches along and across the strips")
+      .required("Bar mass", resonator.bar_mass, number(not_negative(), "kg"),
+                "total mass between the strips")
+      .required("Density", resonator.density, number(positive(), "kg/m^3"),
+                "mass of the film per volume")
+      .required("Shear modulus", resonator.shear_modulus,
+                number(positive(), "Pa"), "total, of spring and networks")
+      .optional("Equilibrium share", resonator.equilibrium_share,
+                number(within(0, 1), "dimensionless"),
+                "share of the shear modulus in the spring")
+      .optional("Network shares", resonator.network_shares,
+                numbers(positive(), "dimensionless"),
+                "shares in the networks; none gives equal ones")
+      .optional("Relaxation times", resonator.relaxation_times,
+                numbers(positive(), "s"), "of the networks, one each")
+      .optional("Limit", resonator.limit, pure, "J_lim of the Gent springs")
+      .optional("Relaxation is rate", resonator.relaxation_is_rate, yes_no(),
+                "whether the relaxation times are read as rates, as printed "
+                "in the source of the model")
+      .optional("Relative permittivity", resonator.relative_permittivity,
+                number({1, 1e6}, "dimensionless"), "eps_r")
+      .required("Breakdown strength", resonator.breakdown_strength,
+                number(positive(), "V/m"),
+                "largest true field that the film stands")
+      .required("Voltage", resonator.voltage, signal("V"),
+                "voltage on the active strip");
+}
+
+void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
+{
+  Case& content = draft.content;
+  for (const char* kind : {"Procedure", "Output", "Checkpoint", "Comparison"})
+    all.allow_section({}, kind, false);
+  all.allow_section({"Procedure"}, "Integrator", false);
+  declare_procedure(all.section({"Procedure"}, "what is done with the device"),
+                    content.procedure);
+  declare_integrator(
+      all.section({"Procedure", "Integrator"}, "how time is stepped"),
+      content.procedure.integrator);
+  declare_output(all.section({"Output"}, "what is written when"),
+                 content.output);
+  declare_checkpoint(
+      all.section({"Checkpoint"}, "when the run can be resumed from"),
+      content.checkpoint);
+  if (text.find({"Comparison"}))
+    declare_comparison(
+        all.section({"Comparison"}, "the film case as a lumped resonator"),
+        draft.comparison);
+}
+} // namespace taut::io

@@ -1,0 +1,73 @@
+#include <taut/base/exceptions.h>
+#include <taut/base/nearest_name.h>
+#include <taut/io/case_sections.h>
+#include <taut/io/parameters.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+#include <set>
+
+namespace taut::io
+{
+namespace
+{
+std::string show_default(const Parameter& parameter)
+{
+  if (parameter.required)
+    return "(must be given)";
+  return parameter.default_text.empty() ? "(empty)" : parameter.default_text;
+}
+
+void describe_section(std::ostream& stream, const Declarations& all,
+                      const SectionDocumentation& section)
+{
+  stream << (section.section.empty() ? "Top level" : join(section.section))
+         << ": " << section.meaning << '\n';
+  for (const Parameter& parameter : all.parameters())
+    if (parameter.section == section.section)
+      stream << fmt::format("  {} = {}\n      {}\n", parameter.key,
+                            show_default(parameter), parameter.documentation);
+  stream << '\n';
+}
+
+/// "Film" of "Film NAME".
+std::string kind_of(const std::string& section)
+{
+  return section.substr(0, section.find(" NAME"));
+}
+
+/// Whether `wanted` names the section or one around it, with or without the
+/// NAME behind its kind.
+bool is_called(const SectionPath& section, const std::string& wanted)
+{
+  return std::any_of(section.begin(), section.end(),
+                     [&wanted](const std::string& name) {
+                       return name == wanted ||
+                              name.rfind(wanted + " ", 0) == 0;
+                     });
+}
+} // namespace
+
+void describe(std::ostream& stream, const std::string& section)
+{
+  Declarations all;
+  CaseDraft draft;
+  declare_everything(all, draft);
+  std::set<std::string> kinds;
+  bool found = false;
+  for (const SectionDocumentation& candidate : all.sections())
+  {
+    if (!candidate.section.empty())
+      kinds.insert(kind_of(candidate.section.back()));
+    if (!section.empty() && !is_called(candidate.section, section))
+      continue;
+    found = true;
+    describe_section(stream, all, candidate);
+  }
+  if (!found)
+    throw BadInput(fmt::format("there is no section '{}'; {}", section,
+                               suggest(section, {kinds.begin(), kinds.end()})));
+}
+} // namespace taut::io
