@@ -52,8 +52,7 @@ public:
       begin = end;
     }
     result_.time = schedule_.end;
-    if (!(written_ == schedule_.end))
-      write(schedule_.end, y_);
+    write(schedule_.end, y_);
     return result_;
   }
 
@@ -237,6 +236,8 @@ private:
 
   void write(const double time, const State& y)
   {
+    if (written_ == time)
+      return;
     written_ = time;
     if (observer_.output)
       observer_.output(time, y.data());

@@ -52,7 +52,7 @@ public:
     state_ = old_state_ = y;
     old_rate_.resize(y.size());
     rate_.resize(y.size());
-    evaluate(time, state_, rate_);
+    evaluate_first(time);
     step_ = choose_first_step();
   }
 
@@ -111,6 +111,20 @@ public:
   }
 
 private:
+  /// No smaller step helps where the first state is not admissible.
+  void evaluate_first(const double time)
+  {
+    try
+    {
+      evaluate(time, state_, rate_);
+    }
+    catch (const StepRejected& rejection)
+    {
+      throw SolverFailed("the state at t = " + std::to_string(time) +
+                         " is not admissible: " + rejection.what());
+    }
+  }
+
   void evaluate(const double time, const State& y, State& rate)
   {
     ++statistics_.evaluations;

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <string>
 
-#include "system_callback.h"
-#include "communicator.h"
 #include "ode_stepper.h"
+#include "system_callback.h"
+#include "system_communicator.h"
 #include "system_sundials.h"
 
 namespace taut::time

@@ -221,6 +221,33 @@ TEST_P(OdeMethods, DeadEndIsFatalAndLeavesTheLastGoodState)
   EXPECT_NEAR(y[0] * y[0], 1 - reached, 1e-4);
 }
 
+TEST_P(OdeMethods, StartThatIsNotAdmissibleIsFatal)
+{
+  State y = {-1};
+  EXPECT_THROW(integrate_ode(make_dead_end(), {0, 2, {}},
+                             make_options(GetParam(), 1e-8), {}, {}, y),
+               SolverFailed);
+}
+
+TEST_P(OdeMethods, OutputAtTheTimeOfAnEventIsWrittenOnce)
+{
+  OdeProblem problem = make_oscillator();
+  problem.stop_times = {0.5};
+  problem.begin_segment = [](const double begin, double, double* y)
+  {
+    if (begin == 0.5)
+      y[0] = -y[0];
+  };
+  State y = {1, 0};
+  std::vector<double> times;
+  OdeObserver observer;
+  observer.output = [&](const double time, const double*)
+  { times.push_back(time); };
+  integrate_ode(problem, {0, 1, {0.5}}, make_options(GetParam(), 1e-10),
+                watch_components({true}), observer, y);
+  EXPECT_EQ(times, (std::vector<double>{0, 0.5}));
+}
+
 TEST_P(OdeMethods, ForeignErrorsOfTheRatePassThrough)
 {
   OdeProblem problem = make_oscillator();
