@@ -96,8 +96,7 @@ void distribute_change(const Nodes& nodes, const NodalVector* positions,
     }
 }
 
-void collect_forces(const Nodes& nodes, const NodalVector* positions,
-                    NodalVector& forces)
+void collect_hanging_forces(const Nodes& nodes, NodalVector& forces)
 {
   for (const auto& hanging : nodes.hanging)
     for (unsigned int i = 0; i < 3; ++i)
@@ -107,6 +106,11 @@ void collect_forces(const Nodes& nodes, const NodalVector* positions,
         forces.local_element(3 * master + i) += weight * force;
       force = 0;
     }
+}
+
+void collect_bar_forces(const Nodes& nodes, const NodalVector* positions,
+                        NodalVector& forces)
+{
   for (const auto& on_bar : nodes.on_bar)
   {
     const Bar& bar = nodes.bars[on_bar.bar];
@@ -120,5 +124,12 @@ void collect_forces(const Nodes& nodes, const NodalVector* positions,
       forces.local_element(3 * on_bar.node + i) = 0;
     }
   }
+}
+
+void collect_forces(const Nodes& nodes, const NodalVector* positions,
+                    NodalVector& forces)
+{
+  collect_hanging_forces(nodes, forces);
+  collect_bar_forces(nodes, positions, forces);
 }
 } // namespace taut::fe

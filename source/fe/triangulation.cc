@@ -150,7 +150,8 @@ MeshQuad get_turned_quad(const CellIterator& coarse, const MeshData& mesh)
   std::array<unsigned int, 4> vertices;
   for (unsigned int v = 0; v < 4; ++v)
     vertices[v] = coarse->vertex_index(v);
-  return turn_to_cell(mesh.quads[coarse->id().get_coarse_cell_id()], vertices);
+  // Not the coarse cell's id, which is the number of its p4est tree.
+  return turn_to_cell(mesh.quads[coarse->index()], vertices);
 }
 } // namespace
 

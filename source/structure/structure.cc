@@ -74,12 +74,6 @@ std::vector<fe::BatchLaw> Structure::make_laws(const LoadState& loads,
   return laws;
 }
 
-void Structure::collect_and_compress(fe::NodalVector& forces)
-{
-  fe::collect_forces(nodes(), &positions_, forces);
-  forces.compress(dealii::VectorOperation::add);
-}
-
 void Structure::add_bar_forces(fe::NodalVector& forces) const
 {
   // The spring k/8 (|d|^2/l^2 - 1)^2 l^2 that holds the director's length l.
@@ -143,11 +137,13 @@ void Structure::compute_forces(const LoadState& loads, const double* u,
   // Forces cancel within a node long before they are collected: the scale of
   // the residual is what the film would pull with if nothing did.
   internal_force_norm_ = std::max(std::sqrt(sum(square)), 1e-300);
+  fe::collect_hanging_forces(nodes(), forces_);
   if (!nodes().bars.empty())
     bar_node_forces_.assign(forces_.begin(),
                             forces_.begin() + 3 * nodes().n_local);
   add_bar_forces(forces_);
-  collect_and_compress(forces_);
+  fe::collect_bar_forces(nodes(), &positions_, forces_);
+  forces_.compress(dealii::VectorOperation::add);
   restrict(forces_, forces);
 }
 

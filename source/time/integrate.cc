@@ -2,12 +2,12 @@
 #include <taut/time/integrate.h>
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 #include <sstream>
 
-#include "events.h"
-#include "stepper.h"
-#include "stops.h"
+#include "integrate_events.h"
+#include "integrate_stepper.h"
+#include "integrate_stops.h"
 
 namespace taut::time
 {
@@ -124,7 +124,7 @@ private:
   std::unique_ptr<Stepper> stepper_;
 
   double time_;
-  double last_output_ = -std::numeric_limits<double>::infinity();
+  std::optional<double> last_output_;
   std::size_t next_output_ = 0;
   long steps_ = 0;
   long steps_since_restart_ = 0;
@@ -246,7 +246,7 @@ void Run::pass(const Stop& stop)
         deliver_event(event, state_);
     // The last output may show the state before the jump.
     if (outcome_ == Outcome::stopped_by_event)
-      last_output_ = -std::numeric_limits<double>::infinity();
+      last_output_.reset();
   }
   if (stop.is_restart ||
       (schedule_.restart_every_steps > 0 &&
@@ -265,7 +265,8 @@ void Run::restart()
 
 void Run::output(const double time, const double* state)
 {
-  if (!observer_.output || is_same_time(time, last_output_))
+  const bool is_done = last_output_ && is_same_time(time, *last_output_);
+  if (!observer_.output || is_done)
     return;
   last_output_ = time;
   observer_.output(time, state);

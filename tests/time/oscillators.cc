@@ -134,8 +134,6 @@ taut::time::StateLayout Oscillators::layout() const
 
 void Oscillators::evaluate(const double time, const double* state, double* f)
 {
-  if (before_evaluate)
-    before_evaluate(time);
   const std::size_t n = members_.size();
   const std::size_t force = is_inertial() ? n : 0;
   const double load = pieces_[piece](time);
@@ -157,6 +155,8 @@ void Oscillators::evaluate(const double time, const double* state, double* f)
   power = sum(power);
   if (rank_ == 0)
     f[force + 2 * n] = power;
+  if (after_evaluate)
+    after_evaluate(time);
 }
 
 void Oscillators::multiply_mass(const double* x, double* result)
@@ -202,7 +202,7 @@ void Oscillators::solve(const double* r, double* d)
                  o.viscous_stiffness * r_internal / decay) /
                 tangent;
     if (has_wrong_tangent)
-      du *= -3;
+      du += 1e-3;
     d[i] = du;
     if (is_inertial())
       d[n + i] = alpha_ * du - r_position;

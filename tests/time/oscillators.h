@@ -41,9 +41,9 @@ public:
                 std::vector<double> jumps);
   /// The piece of the load that applies now.
   std::size_t piece = 0;
-  /// Called by every evaluation, to fail where a test wants it.
-  std::function<void(double time)> before_evaluate;
-  /// Whether `solve` returns nonsense, so that Newton cannot converge.
+  /// Called at the end of every evaluation, to fail where a test wants it.
+  std::function<void(double time)> after_evaluate;
+  /// Whether `solve` leads astray, so that Newton cannot converge.
   bool has_wrong_tangent = false;
 
   std::vector<double> make_start() const;

@@ -87,7 +87,11 @@ void distribute_change(const Nodes& nodes, const NodalVector* positions,
                        NodalVector& dx);
 
 /// Moves the forces on dependent nodes to those they follow (the transpose of
-/// distribute_change) and leaves zero on them. Local; compress(add) follows.
+/// distribute_change) and leaves zero on them: hanging nodes first, which may
+/// follow nodes of bars, then those. Local; compress(add) follows.
+void collect_hanging_forces(const Nodes& nodes, NodalVector& forces);
+void collect_bar_forces(const Nodes& nodes, const NodalVector* positions,
+                        NodalVector& forces);
 void collect_forces(const Nodes& nodes, const NodalVector* positions,
                     NodalVector& forces);
 } // namespace taut::fe

@@ -4,7 +4,8 @@
 #include <taut/material/network.h>
 #include <taut/material/number.h>
 
-#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 // An incompressible film in plane stress, thickness eliminated: springs and
@@ -231,8 +232,15 @@ inline double compute_margin(const Spring& spring, double first_invariant)
   return limit < frozen ? (limit - first_invariant) / (limit - 3.) : limit;
 }
 
+/// The smaller of two numbers, NaN if one of them is.
+inline double get_smaller(double a, double b)
+{
+  return a < b || std::isnan(a) ? a : b;
+}
+
 /// The smallest margin of all limited springs, 1 undeformed, to stay above 0
-/// for the state to be admissible; infinity if no spring has a limit.
+/// for the state to be admissible; infinity if no spring has a limit, NaN if
+/// the state of a limited spring is.
 template <class Number>
 double limit_margin(const Elastomer& elastomer,
                     const SymmetricTensor2<Number>& C,
@@ -241,11 +249,12 @@ double limit_margin(const Elastomer& elastomer,
   double margin = std::numeric_limits<double>::infinity();
   const Number first = compute_invariants(C).first();
   for (const Spring& spring : elastomer.springs)
-    margin = std::min(margin, compute_margin(spring, largest(first)));
+    margin = get_smaller(margin, compute_margin(spring, largest(first)));
   for (const Network& network : elastomer.networks)
   {
     const Number elastic = compute_invariants(C, *A++).first();
-    margin = std::min(margin, compute_margin(network.spring, largest(elastic)));
+    margin =
+        get_smaller(margin, compute_margin(network.spring, largest(elastic)));
   }
   return margin;
 }

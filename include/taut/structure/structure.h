@@ -144,7 +144,6 @@ private:
   fe::NodalVector make_edge_load(const EdgeLoad& load) const;
   std::vector<double> get_densities() const;
   double get_displacement(std::size_t entry) const;
-  void collect_and_compress(fe::NodalVector& forces);
   void add_bar_forces(fe::NodalVector& forces) const;
   void add_bar_tangent(const fe::TangentRequest& request,
                        fe::TangentMatrix& matrix) const;

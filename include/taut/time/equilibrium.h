@@ -31,7 +31,9 @@ public:
 
 struct EquilibriumOptions
 {
-  /// Converged when |residual| <= tolerance * reference_force().
+  /// Converged when |residual| <= tolerance * reference_force(), in Euclidean
+  /// norms. Below 1e-13, which round-off leaves of the forces, it counts as
+  /// 1e-13.
   double tolerance = 1e-10;
   unsigned int max_iterations = 30;
   /// Longest Newton step, largest component (m); 0 = no limit.
@@ -66,9 +68,10 @@ struct PathOptions
 /// Follows equilibria from `start` (where u already is or nearly is one) to
 /// `end` with cut-back on StepRejected and growth after easy steps; the
 /// predictor is linear in the last two points. Calls `accepted(load, u)` after
-/// every converged step. Errors: SolverFailed when the step falls below
-/// smallest_step (the message names the last good load and the reason); u then
-/// holds the last good state.
+/// every converged step. `end` may lie below `start`; steps are lengths.
+/// Errors: SolverFailed when the step falls below smallest_step (the message
+/// names the last good load and the reason); u then holds the last good state.
+/// BadInput for steps that are not positive.
 EquilibriumStatistics
 follow_path(EquilibriumProblem& problem, double start, double end, double* u,
             const PathOptions& options,

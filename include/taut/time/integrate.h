@@ -39,7 +39,10 @@ struct IntegratorOptions
   double largest_step = 0;
   /// Highest order of Method::bdf (1 to 5).
   int max_order = 5;
+  /// Relative change of the step (times the order's coefficient) up to which
+  /// the factors of the linear system are kept, below 1.
   double max_gamma_change = 0.2;
+  /// Steps after which they are renewed in any case; not for Method::bdf.
   int setup_frequency = 20;
   long max_steps = 2000000;
 };
@@ -65,12 +68,17 @@ public:
   virtual int order() const = 0;
   /// The state at end().
   virtual const double* state() const = 0;
-  /// Dense output at a time in [start(), end()]: cubic Hermite of (u, v) in
-  /// inertial runs, the integrator's own polynomial otherwise. Collective.
+  /// Dense output at a time in [start(), end()]. ESDIRK: the cubic Hermite
+  /// polynomial of (u, v) for the positions, its derivative for the
+  /// velocities (one order less), that of (y, f) for the rest, for which f is
+  /// evaluated once per step. Method::bdf: the integrator's own polynomial.
+  /// Collective.
   virtual void interpolate(double time, double* state) const = 0;
 };
 
-/// A condition that the run watches. It fires when `value` falls through zero.
+/// A condition that the run watches. It fires when `value` falls through zero,
+/// and again once it has been positive in between. The signs are compared at
+/// the ends of steps: a dip inside one step goes unseen.
 struct Watch
 {
   std::string name;
@@ -88,18 +96,22 @@ struct Event
   bool at_start = false;
 };
 
-/// What a run tells and asks. All callbacks are collective.
+/// What a run tells and asks; each may be empty. All callbacks are collective.
+/// In each step come first the outputs and events, in order of time, then
+/// `step`, `interrupted` and, if one is due, `checkpoint`.
 struct Observer
 {
   /// Called at the start, at each output time and at the end (at an event that
-  /// stops the run, with its time).
+  /// stops the run, with its time). At a jump: with the state before it, and
+  /// with the one after it if an event of the jump stops the run.
   std::function<void(double time, const double* state)> output;
-  /// Called after each accepted step; may be empty.
+  /// Called after each accepted step, but not after one that ends beyond an
+  /// event that stops the run.
   std::function<void(const Step&, const IntegratorStatistics&)> step;
   /// Called once per event, in order of time, with the state at the event.
   std::function<void(const Event&, const double* state)> event;
   /// Asked after each step; true ends the run in good order (a signal, a limit
-  /// of wall time). May be empty.
+  /// of wall time).
   std::function<bool()> interrupted;
   /// Called at each restart time with the state; the integrator starts anew
   /// after it, so that a run resumed from it equals this one.
@@ -136,10 +148,12 @@ struct RunResult
 /// schedule.end. Never steps across a stop time of the system; output and
 /// events never change the steps. Events are located to the last digits on the
 /// dense output.
-/// Errors: SolverFailed, with the time reached and the reason; `state` then
-/// holds the last accepted state and `reached`, if given, its time.
+/// Errors: BadInput for options that make no sense; SolverFailed, with the time
+/// reached and the reason; whatever the system or an observer throws except
+/// StepRejected. `state` then holds the last accepted state and `reached`, if
+/// given, its time.
 RunResult integrate(System& system, double* state, const Schedule& schedule,
                     const IntegratorOptions& options,
-                    const std::vector<Watch>& watches,
-                    const Observer& observer, double* reached = nullptr);
+                    const std::vector<Watch>& watches, const Observer& observer,
+                    double* reached = nullptr);
 } // namespace taut::time

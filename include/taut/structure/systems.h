@@ -1,0 +1,118 @@
+#pragma once
+
+#include <taut/structure/structure.h>
+#include <taut/time/equilibrium.h>
+#include <taut/time/system.h>
+
+#include <vector>
+
+namespace taut::structure
+{
+/// Equilibrium of a structure at the loads of a time, with the internal
+/// variables given or relaxed.
+class Equilibrium : public time::EquilibriumProblem
+{
+public:
+  /// `internal` is read at every call; it may be null if networks are relaxed.
+  Equilibrium(Structure& structure, LoadHistory& history, Networks networks,
+              const double* internal);
+
+  MPI_Comm communicator() const override;
+  std::size_t n_unknowns() const override;
+  void compute_residual(double load, const double* u,
+                        double* residual) override;
+  void prepare(double load, const double* u) override;
+  void solve(const double* r, double* d) override;
+  double reference_force() const override;
+
+private:
+  Structure& structure_;
+  LoadHistory& history_;
+  Networks networks_;
+  const double* internal_;
+  std::vector<double> no_internal_;
+};
+
+/// The scalars of the state, integrated with the motion for the balance of
+/// energy: total energy + dissipated + lost - work stays constant.
+enum Scalar : unsigned int
+{
+  dissipated = 0, ///< in the networks (J)
+  lost = 1,       ///< to the air and in jumps of quasi-static runs (J)
+  work = 2,       ///< of voltages, loads and moving supports (J)
+  n_scalars = 3
+};
+
+/// Common to both systems in time: the state and how it begins.
+class StructureSystem : public time::System
+{
+public:
+  MPI_Comm communicator() const override;
+  time::StateLayout layout() const override;
+  std::vector<double> stop_times(double start, double end) const override;
+
+  Structure& structure() { return structure_; }
+  LoadHistory& history() { return history_; }
+
+  /// A state at rest: internal variables relaxed or A = 1, positions in
+  /// equilibrium with them if `in_equilibrium`, else those of the mesh.
+  /// Errors: as time::follow_path.
+  std::vector<double> make_initial_state(double time, Start start,
+                                         bool in_equilibrium,
+                                         const time::PathOptions& options);
+
+  /// Parts of a state of this system.
+  const double* internal(const double* state) const;
+  const double* velocities(const double* state) const;
+  const double* scalars(const double* state) const;
+
+  /// Energies at a state; the balance residual is
+  /// total + dissipated + lost - work minus the same at the start.
+  Energies compute_energies(double time, const double* state);
+
+protected:
+  StructureSystem(Structure& structure, bool inertia);
+  double* internal(double* state) const;
+  double* scalars(double* state) const;
+  /// Adds to the scalars the energy that a jump of the loads brings in at once.
+  void pass_jump(double time, double* state);
+
+  Structure& structure_;
+  LoadHistory history_;
+  const bool inertia_;
+  double alpha_ = 0;
+};
+
+/// With inertia: u' = v, M v' = forces, A' = rates.
+class InertialSystem : public StructureSystem
+{
+public:
+  explicit InertialSystem(Structure& structure);
+  void evaluate(double time, const double* state, double* f) override;
+  void multiply_mass(const double* x, double* result) override;
+  void solve_mass(const double* b, double* x) override;
+  void prepare(double time, const double* state, double alpha) override;
+  void solve(const double* r, double* d) override;
+  void pass_stop_time(double time, double* state) override;
+
+private:
+  void pass_kink_of_supports(const LoadState& before, const LoadState& after,
+                             double* state);
+};
+
+/// Without inertia: forces = 0, A' = rates.
+class QuasiStaticSystem : public StructureSystem
+{
+public:
+  QuasiStaticSystem(Structure& structure, const time::PathOptions& options);
+  void evaluate(double time, const double* state, double* f) override;
+  void multiply_mass(const double* x, double* result) override;
+  void solve_mass(const double* b, double* x) override;
+  void prepare(double time, const double* state, double alpha) override;
+  void solve(const double* r, double* d) override;
+  void pass_stop_time(double time, double* state) override;
+
+private:
+  time::PathOptions options_;
+};
+} // namespace taut::structure

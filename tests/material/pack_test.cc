@@ -1,0 +1,168 @@
+// The functions of the material must serve packs of doubles that know nothing
+// but arithmetic, sqrt, log and exp: no comparison, no branch on a value.
+#include "states.h"
+
+namespace pack
+{
+struct Pair
+{
+  double a, b;
+
+  Pair() = default;
+  Pair(double both) : a(both), b(both) {}
+  Pair(double first, double second) : a(first), b(second) {}
+
+  friend Pair operator+(Pair x, Pair y)
+  {
+    return {x.a + y.a, x.b + y.b};
+  }
+  friend Pair operator-(Pair x, Pair y)
+  {
+    return {x.a - y.a, x.b - y.b};
+  }
+  friend Pair operator*(Pair x, Pair y)
+  {
+    return {x.a * y.a, x.b * y.b};
+  }
+  friend Pair operator/(Pair x, Pair y)
+  {
+    return {x.a / y.a, x.b / y.b};
+  }
+  friend Pair operator-(Pair x)
+  {
+    return {-x.a, -x.b};
+  }
+};
+
+Pair sqrt(Pair x)
+{
+  return {std::sqrt(x.a), std::sqrt(x.b)};
+}
+
+Pair log(Pair x)
+{
+  return {std::log(x.a), std::log(x.b)};
+}
+
+Pair exp(Pair x)
+{
+  return {std::exp(x.a), std::exp(x.b)};
+}
+
+double largest(Pair x)
+{
+  return std::max(x.a, x.b);
+}
+} // namespace pack
+
+namespace
+{
+using namespace taut::material;
+using pack::Pair;
+using PairTensor = SymmetricTensor2<Pair>;
+
+PairTensor combine(const Tensor& a, const Tensor& b)
+{
+  return {{a.xx, b.xx}, {a.yy, b.yy}, {a.xy, b.xy}};
+}
+
+/// The same operations in the same order give the same digits, up to fused
+/// multiplications.
+void expect_pair(const PairTensor& pair, const Tensor& a, const Tensor& b)
+{
+  const auto near = [](double x, double y)
+  { EXPECT_NEAR(x, y, 1e-12 * (1. + std::abs(y))); };
+  near(pair.xx.a, a.xx);
+  near(pair.yy.a, a.yy);
+  near(pair.xy.a, a.xy);
+  near(pair.xx.b, b.xx);
+  near(pair.yy.b, b.yy);
+  near(pair.xy.b, b.xy);
+}
+
+class Packs : public testing::Test
+{
+protected:
+  const Elastomer elastomer = make_elastomer();
+  const std::size_t networks = elastomer.networks.size();
+  const Field field = make_strong_field();
+  const State first = make_states(networks)[0];
+  const State second = make_states(networks)[1];
+  const PairTensor C = combine(first.C, second.C);
+  std::vector<PairTensor> A;
+
+  void SetUp() override
+  {
+    for (std::size_t m = 0; m < networks; ++m)
+      A.push_back(combine(first.A[m], second.A[m]));
+  }
+};
+
+TEST_F(Packs, StressAndStiffnessAreThoseOfEachLane)
+{
+  PairTensor S;
+  Tensor S_first, S_second;
+  Matrix3<Pair> D;
+  Matrix3<double> D_first, D_second;
+  stress_and_stiffness(elastomer, C, A.data(), field, 4., S, D);
+  stress_and_stiffness(elastomer, first.C, first.A.data(), field, 4., S_first,
+                       D_first);
+  stress_and_stiffness(elastomer, second.C, second.A.data(), field, 4.,
+                       S_second, D_second);
+  expect_pair(S, S_first, S_second);
+  expect_pair(stress(elastomer, C, A.data(), field), S_first, S_second);
+  for (unsigned int i = 0; i < 3; ++i)
+    expect_pair({D[i][0], D[i][1], D[i][2]},
+                {D_first[i][0], D_first[i][1], D_first[i][2]},
+                {D_second[i][0], D_second[i][1], D_second[i][2]});
+}
+
+TEST_F(Packs, FlowIsThatOfEachLane)
+{
+  std::vector<PairTensor> rate(networks), dA(networks);
+  std::vector<Tensor> rate_first(networks), rate_second(networks),
+      dA_first(networks), dA_second(networks);
+  const Tensor dE = {.1, .2, .3};
+  rates(elastomer, C, A.data(), rate.data());
+  rates(elastomer, first.C, first.A.data(), rate_first.data());
+  rates(elastomer, second.C, second.A.data(), rate_second.data());
+  network_response(elastomer, C, A.data(), 4., combine(dE, dE), rate.data(),
+                   dA.data());
+  network_response(elastomer, first.C, first.A.data(), 4., dE,
+                   rate_first.data(), dA_first.data());
+  network_response(elastomer, second.C, second.A.data(), 4., dE,
+                   rate_second.data(), dA_second.data());
+  for (std::size_t m = 0; m < networks; ++m)
+  {
+    expect_pair(rate[m], rate_first[m], rate_second[m]);
+    expect_pair(dA[m], dA_first[m], dA_second[m]);
+  }
+  expect_pair(
+      stress_change(elastomer, C, A.data(), dA.data()),
+      stress_change(elastomer, first.C, first.A.data(), dA_first.data()),
+      stress_change(elastomer, second.C, second.A.data(), dA_second.data()));
+}
+
+TEST_F(Packs, ScalarsAreThoseOfEachLane)
+{
+  const auto expect = [](const Pair& pair, double a, double b)
+  {
+    EXPECT_NEAR(pair.a, a, 1e-12 * (1. + std::abs(a)));
+    EXPECT_NEAR(pair.b, b, 1e-12 * (1. + std::abs(b)));
+  };
+  const Tensor* A_first = first.A.data();
+  const Tensor* A_second = second.A.data();
+  expect(energy(elastomer, C, A.data(), field),
+         energy(elastomer, first.C, A_first, field),
+         energy(elastomer, second.C, A_second, field));
+  expect(dissipation(elastomer, C, A.data()),
+         dissipation(elastomer, first.C, A_first),
+         dissipation(elastomer, second.C, A_second));
+  expect(charge_density(elastomer, C, field, 1e7),
+         charge_density(elastomer, first.C, field, 1e7),
+         charge_density(elastomer, second.C, field, 1e7));
+  EXPECT_DOUBLE_EQ(limit_margin(elastomer, C, A.data()),
+                   std::min(limit_margin(elastomer, first.C, A_first),
+                            limit_margin(elastomer, second.C, A_second)));
+}
+} // namespace

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <taut/fe/triangulation.h>
+#include <taut/structure/systems.h>
+
+#include <functional>
+#include <memory>
+
+/// Meshes and devices built in code, for tests.
+namespace taut::testing
+{
+/// A grid of n_x by n_y quads of the given order over the unit square, moved by
+/// `shape` from (xi, eta) into space. Groups: surfaces `left` and `right` (by
+/// the half of the square, `film` both), lines `west`, `east`, `south`,
+/// `north` and, if n_x is even, `middle` between the halves; points
+/// `south_west` and `north_east`.
+inline fe::MeshData make_grid(
+    const unsigned int n_x, const unsigned int n_y, const unsigned int order,
+    const std::function<fe::Coordinates(double, double)>& shape)
+{
+  fe::MeshData mesh;
+  mesh.order = order;
+  const auto vertex = [&](unsigned int i, unsigned int j)
+  { return j * (n_x + 1) + i; };
+  for (unsigned int j = 0; j <= n_y; ++j)
+    for (unsigned int i = 0; i <= n_x; ++i)
+      mesh.vertices.push_back(shape(double(i) / n_x, double(j) / n_y));
+  const auto add_middle = [&](const double i, const double j)
+  {
+    mesh.middle_points.push_back(shape(i / n_x, j / n_y));
+    return static_cast<unsigned int>(mesh.middle_points.size() - 1);
+  };
+  const unsigned int left = mesh.groups.add(2, {"left", "film"});
+  const unsigned int right = mesh.groups.add(2, {"right", "film"});
+  for (unsigned int j = 0; j < n_y; ++j)
+    for (unsigned int i = 0; i < n_x; ++i)
+    {
+      fe::MeshQuad quad;
+      quad.vertices = {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1),
+                       vertex(i, j + 1)};
+      if (order == 2)
+        quad.middles = {add_middle(i + .5, j), add_middle(i + 1, j + .5),
+                        add_middle(i + .5, j + 1), add_middle(i, j + .5),
+                        add_middle(i + .5, j + .5)};
+      quad.group_set = 2 * i < n_x ? left : right;
+      mesh.quads.push_back(quad);
+    }
+  const auto add_line = [&](const unsigned int a, const unsigned int b,
+                            const double i, const double j, const char* name)
+  {
+    fe::MeshLine line;
+    line.vertices = {a, b};
+    if (order == 2)
+      line.middle = add_middle(i, j);
+    line.group_set = mesh.groups.add(1, {name});
+    mesh.lines.push_back(line);
+  };
+  for (unsigned int i = 0; i < n_x; ++i)
+  {
+    add_line(vertex(i, 0), vertex(i + 1, 0), i + .5, 0, "south");
+    add_line(vertex(i, n_y), vertex(i + 1, n_y), i + .5, n_y, "north");
+  }
+  for (unsigned int j = 0; j < n_y; ++j)
+  {
+    add_line(vertex(0, j), vertex(0, j + 1), 0, j + .5, "west");
+    add_line(vertex(n_x, j), vertex(n_x, j + 1), n_x, j + .5, "east");
+    if (n_x % 2 == 0)
+      add_line(vertex(n_x / 2, j), vertex(n_x / 2, j + 1), n_x / 2., j + .5,
+               "middle");
+  }
+  mesh.points.push_back({vertex(0, 0), mesh.groups.add(0, {"south_west"})});
+  mesh.points.push_back({vertex(n_x, n_y), mesh.groups.add(0, {"north_east"})});
+  return mesh;
+}
+
+inline fe::MeshData make_rectangle(const unsigned int n_x,
+                                   const unsigned int n_y,
+                                   const unsigned int order,
+                                   const double length, const double width)
+{
+  return make_grid(n_x, n_y, order,
+                   [=](const double xi, const double eta)
+                   { return fe::Coordinates{xi * length, eta * width, 0.}; });
+}
+
+inline structure::Support
+make_support(const std::string& group, const std::array<bool, 3>& held,
+             const std::array<std::string, 3>& shape = {{"0", "0", "0"}},
+             const Signal& amplitude = Signal())
+{
+  structure::Support support;
+  support.name = "support of " + group;
+  support.groups = {group};
+  support.held = held;
+  support.shape = shape;
+  support.amplitude = amplitude;
+  return support;
+}
+
+/// A film of one spring on the group `film`.
+inline structure::Film make_film(const material::Spring& spring,
+                                 const double thickness,
+                                 const std::array<double, 2>& pre_stretch)
+{
+  structure::Film film;
+  film.name = "film";
+  film.groups = {"film"};
+  film.material.springs = {spring};
+  film.material.density = 1000;
+  film.thickness = thickness;
+  film.pre_stretch = pre_stretch;
+  return film;
+}
+
+inline structure::Electrode make_electrode(const std::string& group,
+                                           const Signal& voltage)
+{
+  structure::Electrode electrode;
+  electrode.name = "electrode of " + group;
+  electrode.groups = {group};
+  electrode.voltage = voltage;
+  return electrode;
+}
+
+/// A device with its mesh, triangulation and structure.
+struct Model
+{
+  Model(const structure::Device& device, const fe::MeshData& mesh_data,
+        const unsigned int refinements = 0,
+        const std::function<void(fe::Triangulation&)>& refine = {})
+      : mesh(mesh_data), triangulation(MPI_COMM_WORLD)
+  {
+    fe::create_triangulation(mesh, refinements, triangulation);
+    if (refine)
+      refine(triangulation);
+    structure =
+        std::make_unique<structure::Structure>(device, mesh, triangulation);
+  }
+
+  fe::MeshData mesh;
+  fe::Triangulation triangulation;
+  std::unique_ptr<structure::Structure> structure;
+};
+} // namespace taut::testing

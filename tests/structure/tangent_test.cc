@@ -1,0 +1,196 @@
+// The tangents against differences of the forces, in devices that use every
+// term at once.
+#include "structure/devices.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace taut
+{
+namespace
+{
+using structure::LoadState;
+using structure::Networks;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Curved sheet with two materials, an electrode, pressure, networks, hanging
+/// nodes and a bar that is free to rotate.
+std::unique_ptr<testing::Model> make_everything(const unsigned int degree)
+{
+  structure::Device device;
+  device.mesh.degree = degree;
+  auto film = testing::make_film(material::Gent{2e4, 60}, 1e-3, {{1.5, 2}});
+  film.material.networks = {{material::Gent{1e4, 60}, 0.01},
+                            {material::NeoHookean{5e3}, 1}};
+  film.axis = {{1, 0.3, 0}};
+  film.groups = {"left"};
+  device.films.push_back(film);
+  film.name = "second";
+  film.groups = {"right"};
+  film.material.networks.pop_back();
+  film.material.springs = {material::MooneyRivlin{1e4, 3e3}};
+  device.films.push_back(film);
+  device.electrodes = {
+      testing::make_electrode("left", Signal::constant(3000))};
+  device.supports = {testing::make_support("west", {{true, true, true}}),
+                     testing::make_support("east", {{false, true, true}})};
+  structure::Pressure pressure;
+  pressure.name = "below";
+  pressure.groups = {"film"};
+  pressure.pressure = Signal::constant(20);
+  device.pressures = {pressure};
+  structure::RigidBar bar;
+  bar.name = "bar";
+  bar.groups = {"middle"};
+  bar.mass = 1e-2;
+  device.bars = {bar};
+  const auto mesh = testing::make_grid(
+      4, 3, degree,
+      [](const double xi, const double eta)
+      {
+        // Straight at xi = 1/2, where the bar lies.
+        const double bulge = (xi - .5) * (eta - .3);
+        return fe::Coordinates{.04 * xi + .003 * bulge, .03 * eta,
+                               .004 * bulge * (1 + xi)};
+      });
+  return std::make_unique<testing::Model>(
+      device, mesh, 0,
+      [](fe::Triangulation& triangulation)
+      {
+        for (const auto& cell : triangulation.active_cell_iterators())
+          if (cell->is_locally_owned() && cell->center()[0] < .015 &&
+              cell->center()[1] > .02)
+            cell->set_refine_flag();
+        triangulation.execute_coarsening_and_refinement();
+      });
+}
+
+std::vector<double> make_noise(const std::size_t n, const double size,
+                               const unsigned int seed)
+{
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-size, size);
+  std::vector<double> values(n);
+  for (auto& value : values)
+    value = uniform(generator);
+  return values;
+}
+
+double norm(const std::vector<double>& values)
+{
+  double square = 0;
+  for (const double value : values)
+    square += value * value;
+  return std::sqrt(dealii::Utilities::MPI::sum(square, MPI_COMM_WORLD));
+}
+
+class Tangent : public ::testing::TestWithParam<unsigned int>
+{
+};
+
+TEST_P(Tangent, frozen_equals_differences_of_forces)
+{
+  const auto model = make_everything(GetParam());
+  auto& structure = *model->structure;
+  structure::LoadHistory history(structure.device());
+  history.enter_interval(0);
+  const LoadState loads = history.at(0);
+  const std::size_t n = structure.n_free();
+  const auto u = make_noise(n, 3e-4, 1);
+  auto A = make_noise(structure.n_internal(), 0.05, 2);
+  for (std::size_t i = 0; i < A.size(); i += 3)
+  {
+    A[i] += 0.6;
+    A[i + 1] += 0.5;
+  }
+  const auto direction = make_noise(n, 1, 3);
+  std::vector<double> product(n), plus(n), minus(n), moved(u);
+  structure.multiply_tangent(loads, u.data(), A.data(), Networks::as_given,
+                             infinity, false, false, direction.data(),
+                             product.data());
+  // Central differences: error h^2 u''' / 6 + round-off / h, about 1e-8.
+  constexpr double h = 3e-8;
+  for (std::size_t i = 0; i < n; ++i)
+    moved[i] = u[i] + h * direction[i];
+  structure.compute_forces(loads, moved.data(), A.data(), Networks::as_given,
+                           plus.data(), nullptr);
+  for (std::size_t i = 0; i < n; ++i)
+    moved[i] = u[i] - h * direction[i];
+  structure.compute_forces(loads, moved.data(), A.data(), Networks::as_given,
+                           minus.data(), nullptr);
+  std::vector<double> difference(n);
+  for (std::size_t i = 0; i < n; ++i)
+    difference[i] = product[i] + (plus[i] - minus[i]) / (2 * h);
+  EXPECT_LT(norm(difference), 1e-6 * norm(product));
+}
+
+TEST_P(Tangent, condensed_solve_inverts_the_system)
+{
+  // Quasi-static with the general solver: the whole of alpha B - df/dy.
+  const auto model = make_everything(GetParam());
+  auto& structure = *model->structure;
+  structure::QuasiStaticSystem system(structure, {});
+  auto y = system.make_initial_state(0, structure::Start::unrelaxed, false, {});
+  const std::size_t size = y.size();
+  const auto shake = make_noise(structure.n_free(), 2e-4, 5);
+  for (std::size_t i = 0; i < shake.size(); ++i)
+    y[i] += shake[i];
+  constexpr double alpha = 30;
+  auto r = make_noise(size, 1, 7);
+  const std::size_t n_scalars = system.layout().scalars;
+  for (std::size_t i = size - n_scalars; i < size; ++i)
+    r[i] = 0;
+  std::vector<double> d(size), b(size), plus(size), minus(size), moved(y);
+  system.prepare(0, y.data(), alpha);
+  system.solve(r.data(), d.data());
+  // Central differences over a change of 1e-4: the truncation is of its square,
+  // and the round-off of rates of 1e3 /s, divided by h, stays below 1e-5.
+  const double h = 1e-4 / norm(d);
+  for (std::size_t i = 0; i < size; ++i)
+    moved[i] = y[i] + h * d[i];
+  system.evaluate(0, moved.data(), plus.data());
+  for (std::size_t i = 0; i < size; ++i)
+    moved[i] = y[i] - h * d[i];
+  system.evaluate(0, moved.data(), minus.data());
+  system.multiply_mass(d.data(), b.data());
+  std::vector<double> defect(size, 0.);
+  for (std::size_t i = 0; i < size - n_scalars; ++i)
+    defect[i] = alpha * b[i] - (plus[i] - minus[i]) / (2 * h) - r[i];
+  EXPECT_LT(norm(defect), 1e-5 * norm(r));
+}
+
+TEST_P(Tangent, symmetric_when_networks_are_frozen)
+{
+  const auto model = make_everything(GetParam());
+  auto& structure = *model->structure;
+  structure::LoadHistory history(structure.device());
+  LoadState loads = history.at(0);
+  loads.pressures[0] = 0;
+  const std::size_t n = structure.n_free();
+  const auto u = make_noise(n, 3e-4, 1);
+  std::vector<double> A(structure.n_internal());
+  fe::set_unrelaxed(structure.cells(), A.data());
+  const auto a = make_noise(n, 1, 3), b = make_noise(n, 1, 4);
+  std::vector<double> Ka(n), Kb(n);
+  structure.multiply_tangent(loads, u.data(), A.data(), Networks::as_given,
+                             infinity, false, false, a.data(), Ka.data());
+  structure.multiply_tangent(loads, u.data(), A.data(), Networks::as_given,
+                             infinity, false, false, b.data(), Kb.data());
+  double b_Ka = 0, a_Kb = 0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    b_Ka += b[i] * Ka[i];
+    a_Kb += a[i] * Kb[i];
+  }
+  b_Ka = dealii::Utilities::MPI::sum(b_Ka, MPI_COMM_WORLD);
+  a_Kb = dealii::Utilities::MPI::sum(a_Kb, MPI_COMM_WORLD);
+  EXPECT_NEAR(b_Ka, a_Kb, 1e-12 * norm(b) * norm(Ka));
+}
+
+INSTANTIATE_TEST_SUITE_P(degrees, Tangent, ::testing::Values(1u, 2u));
+} // namespace
+} // namespace taut
