@@ -78,6 +78,9 @@ material::Elastomer make_elastomer(const CaseText& text,
 void resolve_materials(const CaseText& text, CaseDraft& draft)
 {
   const std::vector<std::string> known = names_in(draft.materials);
+  std::vector<material::Elastomer> elastomers;
+  for (const MaterialDraft& material : draft.materials)
+    elastomers.push_back(make_elastomer(text, material));
   for (std::size_t i = 0; i < draft.film_materials.size(); ++i)
   {
     structure::Film& film = draft.content.device.films[i];
@@ -85,8 +88,7 @@ void resolve_materials(const CaseText& text, CaseDraft& draft)
     check_name(text, {"Film " + film.name}, "Material", name, "material",
                known);
     const auto position = std::find(known.begin(), known.end(), name);
-    film.material =
-        make_elastomer(text, draft.materials[position - known.begin()]);
+    film.material = elastomers[position - known.begin()];
   }
 }
 

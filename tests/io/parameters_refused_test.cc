@@ -197,8 +197,6 @@ const Refusal relations[] = {
      "exceeds the limit"},
     {"material of nothing", "subsection Material rubber\n",
      "subsection Material empty\n  set Density = 1\nend\n"
-     "subsection Film third\n  set Surfaces = third\n"
-     "  set Material = empty\n  set Thickness = 1\nend\n"
      "subsection Material rubber\n",
      "subsection Material empty", "Material empty", "neither a spring nor"},
     {"event without strength", "set Kind = tension loss\n  set Of = left",
