@@ -1,0 +1,110 @@
+#pragma once
+
+#include <taut/structure/systems.h>
+#include <taut/study/case.h>
+#include <taut/time/integrate.h>
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taut::study
+{
+/// A column of history.csv.
+struct Column
+{
+  std::string name;
+  std::string unit; ///< "1" if dimensionless
+};
+
+/// A row of events.csv.
+struct EventRecord
+{
+  double time = 0;  ///< (s)
+  std::string name; ///< of the event in the case
+  std::string kind; ///< tension_loss, breakdown, probe_above, probe_below
+  std::string place;///< film, electrode or probe
+  /// Where in the mesh (m); NaN if the event has no point.
+  std::array<double, 3> point{};
+  double value = 0;     ///< of the quantity, in its own unit
+  double threshold = 0;
+  bool at_start = false;
+  bool fatal = false;
+};
+
+enum class Status
+{
+  completed,
+  event,      ///< stopped by an event that the case declares fatal
+  interrupted,///< asked to stop; a checkpoint allows to go on
+  failed
+};
+
+/// What run.json tells; all times in seconds.
+struct RunSummary
+{
+  Status status = Status::completed;
+  std::string reason;
+  double time_reached = 0;
+  std::vector<Column> columns;
+  std::vector<double> final_row;
+  std::map<std::string, double> counters;
+  std::map<std::string, double> timings;
+  /// Largest absolute (J) and relative residual of the balance of energy.
+  double balance_absolute = 0;
+  double balance_relative = 0;
+};
+
+/// What of a run must survive besides the state, so that it can go on.
+struct RunProgress
+{
+  double time = 0;
+  long steps = 0;
+  std::size_t history_rows = 0;
+  std::size_t field_frames = 0;
+  std::size_t event_rows = 0;
+  /// Total energy at the start, which the balance is measured against (J).
+  double initial_energy = 0;
+  double balance_absolute = 0;
+  double balance_scale = 0;
+};
+
+/// A state to go on from.
+struct Checkpoint
+{
+  RunProgress progress;
+  std::vector<double> state;
+};
+
+/// Where a run writes. Implemented by the io layer; every call is collective.
+class RunOutput
+{
+public:
+  virtual ~RunOutput() = default;
+  virtual void begin(const std::vector<Column>& columns) = 0;
+  virtual void write_row(const std::vector<double>& row) = 0;
+  virtual void write_event(const EventRecord& event) = 0;
+  virtual void write_fields(double time, structure::StructureSystem& system,
+                            const double* state) = 0;
+  virtual void write_checkpoint(const RunProgress& progress,
+                                structure::StructureSystem& system,
+                                const double* state) = 0;
+  /// After every accepted step; cheap.
+  virtual void report_step(const time::Step& step,
+                           const time::IntegratorStatistics& statistics,
+                           double balance_relative) = 0;
+  /// True if the run should stop in good order (SIGTERM, SIGINT).
+  virtual bool interrupted() = 0;
+};
+
+/// Runs the film case on a structure: equilibrium path, quasi-static or
+/// transient as the procedure says. Solver failures end in
+/// Status::failed with the reason; they do not throw.
+/// Errors: BadInput for probes and events that do not fit the device.
+RunSummary run_film(const Case& run_case, structure::Structure& structure,
+                    RunOutput& output,
+                    const std::optional<Checkpoint>& resume = std::nullopt);
+} // namespace taut::study
