@@ -54,7 +54,7 @@ void declare_electrode(Section& section, Electrode& electrode)
 
 void declare_support(Section& section, Support& support)
 {
-  const Format<std::string> shape = formula({"x", "y", "z"}, "m");
+  const Format<std::string> shape = formula_of_position("m");
   section.required("Groups", support.groups,
                    names("names of physical points, lines or surfaces"),
                    "what is held");
