@@ -26,9 +26,13 @@ struct EventRecord
   double time = 0;  ///< (s)
   std::string name; ///< of the event in the case
   std::string kind; ///< tension_loss, breakdown, probe_above, probe_below
-  std::string place;///< film, electrode or probe
+  /// Film or probe; on a tie all of them, separated by " + ".
+  std::string place;
   /// Where in the mesh (m); NaN if the event has no point.
   std::array<double, 3> point{};
+  /// Direction across which tension is lost, a unit vector in space; NaN for
+  /// other events.
+  std::array<double, 3> direction{};
   double value = 0;     ///< of the quantity, in its own unit
   double threshold = 0;
   bool at_start = false;
