@@ -1,6 +1,5 @@
 #include <taut/base/exceptions.h>
 #include <taut/base/nearest_name.h>
-#include <taut/structure/point_fields.h>
 #include <taut/structure/probes.h>
 
 #include <algorithm>
@@ -191,7 +190,7 @@ std::vector<double> Probes::evaluate(const double time, const double* state)
     structure.compute_forces(loads, state, system_.internal(state),
                              Networks::as_given, unused.data(), nullptr);
   }
-  const fe::NodalVector& positions = structure.compute_positions(loads, state);
+  const fe::NodalVector positions = structure.compute_positions(loads, state);
   fe::NodalVector velocities;
   const double* v = system_.velocities(state);
   if (v)
@@ -206,7 +205,7 @@ std::vector<double> Probes::evaluate(const double time, const double* state)
       values.push_back(evaluate_bar(i, positions, v ? &velocities : nullptr));
     else if (kind == Kind::mean_stretch || kind == Kind::mean_stress ||
              kind == Kind::min_principal_stress || kind == Kind::max_true_field)
-      values.push_back(evaluate_film(i, loads, system_.internal(state)));
+      values.push_back(evaluate_film(i, loads, state, system_.internal(state)));
     else
       values.push_back(evaluate_device(i, loads));
   }

@@ -41,7 +41,7 @@ private:
   double evaluate_bar(std::size_t probe, const fe::NodalVector& positions,
                       const fe::NodalVector* velocities) const;
   double evaluate_film(std::size_t probe, const LoadState& loads,
-                       const double* internal) const;
+                       const double* u, const double* internal) const;
   double evaluate_device(std::size_t probe, const LoadState& loads) const;
 
   StructureSystem& system_;
