@@ -1,7 +1,9 @@
 #include <taut/base/exceptions.h>
 #include <taut/structure/structure.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace taut::structure
 {
@@ -147,20 +149,44 @@ void Structure::compute_forces(const LoadState& loads, const double* u,
   restrict(forces_, forces);
 }
 
-std::vector<double> Structure::compute_charges(const LoadState& loads) const
+std::vector<double> Structure::compute_capacitances() const
 {
-  std::vector<double> charges(device_.electrodes.size(), 0.);
+  std::vector<double> capacitances(device_.electrodes.size(), 0.);
   for (unsigned int slot = 0; slot < cells_->slots().size(); ++slot)
   {
     const auto& [film, electrode] = cells_->slots()[slot];
     if (electrode >= 0)
-      charges[electrode] += powers_.permittivity[slot] *
-                            loads.voltages[electrode] /
-                            std::pow(device_.films[film].thickness, 2);
+      capacitances[electrode] += powers_.permittivity[slot] /
+                                 std::pow(device_.films[film].thickness, 2);
   }
-  for (auto& charge : charges)
-    charge = sum(charge);
+  // The same on every rank, also where an electrode has no cells.
+  for (auto& capacitance : capacitances)
+    capacitance = sum(capacitance);
+  return capacitances;
+}
+
+std::vector<double> Structure::compute_charges(const LoadState& loads) const
+{
+  auto charges = compute_capacitances();
+  for (unsigned int e = 0; e < charges.size(); ++e)
+    charges[e] *= loads.voltages[e];
   return charges;
+}
+
+double Structure::mesh_size() const
+{
+  double size = 0;
+  for (unsigned int c = 0; c < 3; ++c)
+  {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const auto& x : mesh_.vertices)
+    {
+      low = std::min(low, x[c]);
+      high = std::max(high, x[c]);
+    }
+    size = std::max(size, high - low);
+  }
+  return size;
 }
 
 Powers Structure::compute_powers(const LoadState& loads,

@@ -1,7 +1,6 @@
 #include <taut/base/exceptions.h>
 #include <taut/study/lumped_case.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -130,22 +129,22 @@ const std::vector<LumpedColumn>& get_lumped_columns()
   static const std::vector<LumpedColumn> columns = {
       {{"time", "s"}, &R::time},
       {{"voltage", "V"}, &R::voltage},
-      {{"stretch_active", "1"}, &R::stretch_active},
-      {{"stretch_passive", "1"}, &R::stretch_passive},
-      {{"bar_displacement", "m"}, &R::bar_displacement},
-      {{"bar_velocity", "m/s"}, &R::bar_velocity},
-      {{"nominal_stress_1_active", "Pa"}, &R::nominal_stress_1_active},
-      {{"nominal_stress_1_passive", "Pa"}, &R::nominal_stress_1_passive},
-      {{"nominal_stress_2_active", "Pa"}, &R::nominal_stress_2_active},
-      {{"nominal_stress_2_passive", "Pa"}, &R::nominal_stress_2_passive},
+      {{"stretch active", "1"}, &R::stretch_active},
+      {{"stretch passive", "1"}, &R::stretch_passive},
+      {{"bar displacement", "m"}, &R::bar_displacement},
+      {{"bar velocity", "m/s"}, &R::bar_velocity},
+      {{"nominal stress 1 active", "Pa"}, &R::nominal_stress_1_active},
+      {{"nominal stress 1 passive", "Pa"}, &R::nominal_stress_1_passive},
+      {{"nominal stress 2 active", "Pa"}, &R::nominal_stress_2_active},
+      {{"nominal stress 2 passive", "Pa"}, &R::nominal_stress_2_passive},
       {{"charge", "C"}, &R::charge},
-      {{"natural_frequency", "Hz"}, &R::natural_frequency},
-      {{"true_field", "V/m"}, &R::true_field},
-      {{"breakdown_margin", "V/m"}, &R::breakdown_margin},
-      {{"kinetic_energy", "J"}, &R::kinetic_energy},
-      {{"free_energy", "J"}, &R::free_energy},
-      {{"dissipated_energy", "J"}, &R::dissipated_energy},
-      {{"voltage_work", "J"}, &R::voltage_work}};
+      {{"natural frequency", "Hz"}, &R::natural_frequency},
+      {{"true field", "V/m"}, &R::true_field},
+      {{"breakdown margin", "V/m"}, &R::breakdown_margin},
+      {{"kinetic energy", "J"}, &R::kinetic_energy},
+      {{"free energy", "J"}, &R::free_energy},
+      {{"dissipated energy", "J"}, &R::dissipated_energy},
+      {{"voltage work", "J"}, &R::voltage_work}};
   return columns;
 }
 
@@ -175,19 +174,5 @@ EventRecord make_event_record(const LumpedResonatorDescription& device,
   else
     record.direction = {0, 1, 0};
   return record;
-}
-
-std::vector<double> make_history_times(const ProcedureDescription& procedure,
-                                       const OutputDescription& output)
-{
-  const unsigned int n = std::max(output.history_intervals, 1u);
-  const double length = procedure.end_time - procedure.start_time;
-  std::vector<double> times = output.history_times;
-  for (unsigned int i = 0; i < n; ++i)
-    times.push_back(procedure.start_time + length * i / n);
-  times.push_back(procedure.end_time);
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
 }
 } // namespace taut::study

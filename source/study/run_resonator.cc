@@ -1,5 +1,6 @@
 #include <taut/base/exceptions.h>
 #include <taut/study/lumped_case.h>
+#include <taut/study/output_times.h>
 #include <taut/study/run_resonator.h>
 
 #include <algorithm>
@@ -84,7 +85,9 @@ RunSummary run_resonator(const Case& run_case, RunOutput& output)
   try
   {
     run = run_lumped(run_case.lumped_resonator, procedure,
-                     make_history_times(procedure, run_case.output));
+                     make_output_times(procedure,
+                                       run_case.output.history_intervals,
+                                       run_case.output.history_times));
   }
   catch (const SolverFailed& failure)
   {

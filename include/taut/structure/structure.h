@@ -67,6 +67,8 @@ public:
   const std::vector<unsigned int>& free_unknowns() const { return free_; }
   /// Over all ranks.
   std::size_t n_free_global() const;
+  /// Largest extent of the mesh along an axis (m).
+  double mesh_size() const;
 
   /// Positions (m) of all local nodes for displacements u under `loads`.
   const fe::NodalVector& compute_positions(const LoadState& loads,
@@ -88,7 +90,9 @@ public:
                         const fe::NodalVector* velocities) const;
   /// Norm of the nodal internal forces before they cancelled (N).
   double internal_force_norm() const { return internal_force_norm_; }
-  /// Charge of every electrode at the last compute_forces (C).
+  /// Capacitance (F) and charge (C) of every electrode at the last
+  /// compute_forces.
+  std::vector<double> compute_capacitances() const;
   std::vector<double> compute_charges(const LoadState& loads) const;
   /// Residual force that a support carries, external minus internal, at the
   /// last compute_forces: its reaction without inertia (N).

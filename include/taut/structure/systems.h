@@ -51,6 +51,7 @@ public:
   time::StateLayout layout() const override;
   std::vector<double> stop_times(double start, double end) const override;
 
+  bool has_inertia() const { return inertia_; }
   Structure& structure() { return structure_; }
   LoadHistory& history() { return history_; }
 

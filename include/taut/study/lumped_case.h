@@ -66,9 +66,4 @@ const std::vector<LumpedColumn>& get_lumped_columns();
 /// or x_2, the point has no place (NaN).
 EventRecord make_event_record(const LumpedResonatorDescription& device,
                               const lumped::ResonatorEvent& event);
-
-/// Increasing times of the history rows of a case: its equal intervals and its
-/// extra times, start and end included.
-std::vector<double> make_history_times(const ProcedureDescription& procedure,
-                                       const OutputDescription& output);
 } // namespace taut::study

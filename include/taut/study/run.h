@@ -100,6 +100,8 @@ public:
   virtual void report_step(const time::Step& step,
                            const time::IntegratorStatistics& statistics,
                            double balance_relative) = 0;
+  /// True if a checkpoint is due by wall time; asked after every step.
+  virtual bool wants_checkpoint() = 0;
   /// True if the run should stop in good order (SIGTERM, SIGINT).
   virtual bool interrupted() = 0;
 };
