@@ -236,7 +236,7 @@ void FilmRun::observe_path(const double time, const double* u,
     fe::set_relaxed(system_->structure().cells(),
                     system_->structure().compute_positions(
                         system_->history().at(time), u),
-                    state_.data() + system_->structure().n_free());
+                    system_->internal(state_.data()));
   write(time, state_.data(), true);
   const auto watches = watches_.make_time_watches();
   for (std::size_t i = 0; i < watches.size(); ++i)

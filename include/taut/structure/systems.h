@@ -64,6 +64,7 @@ public:
 
   /// Parts of a state of this system.
   const double* internal(const double* state) const;
+  double* internal(double* state) const;
   const double* velocities(const double* state) const;
   const double* scalars(const double* state) const;
 
@@ -73,7 +74,6 @@ public:
 
 protected:
   StructureSystem(Structure& structure, bool inertia);
-  double* internal(double* state) const;
   double* scalars(double* state) const;
   /// Adds to the scalars the energy that a jump of the loads brings in at once.
   void pass_jump(double time, double* state);
