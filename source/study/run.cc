@@ -1,6 +1,7 @@
 #include <taut/base/exceptions.h>
 #include <taut/structure/watches.h>
 #include <taut/study/film_rows.h>
+#include <taut/study/output_times.h>
 #include <taut/study/run.h>
 
 #include <algorithm>
@@ -14,18 +15,6 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 using structure::Analysis;
-
-std::vector<double> make_times(const ProcedureDescription& procedure,
-                               const unsigned int intervals,
-                               const std::vector<double>& extra)
-{
-  std::set<double> times(extra.begin(), extra.end());
-  const double length = procedure.end_time - procedure.start_time;
-  for (unsigned int i = 0; i < intervals; ++i)
-    times.insert(procedure.start_time + length * i / intervals);
-  times.insert({procedure.start_time, procedure.end_time});
-  return {times.begin(), times.end()};
-}
 
 std::string get_kind(const structure::EventDescription& event)
 {
@@ -62,12 +51,12 @@ public:
       : case_(run_case), output_(output),
         system_(make_system(run_case, structure)), probes_(*system_),
         watches_(*system_, probes_), rows_(*system_, probes_),
-        history_times_(make_times(run_case.procedure,
-                                  run_case.output.history_intervals,
-                                  run_case.output.history_times)),
-        field_times_(make_times(run_case.procedure,
-                                run_case.output.field_intervals,
-                                run_case.output.field_times))
+        history_times_(make_output_times(run_case.procedure,
+                                         run_case.output.history_intervals,
+                                         run_case.output.history_times)),
+        field_times_(make_output_times(run_case.procedure,
+                                       run_case.output.field_intervals,
+                                       run_case.output.field_times))
   {
   }
 
