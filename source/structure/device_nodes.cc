@@ -257,13 +257,18 @@ void check_same_motion(const HeldComponent& first, const HeldComponent& second,
 {
   const Support& other = device.supports[first.support];
   const Support& support = device.supports[second.support];
+  const auto get_shape = [](const HeldComponent& held, const Signal& amplitude)
+  {
+    const bool rests = amplitude.is_constant() && amplitude.value(0) == 0;
+    return rests ? 0. : held.shape;
+  };
+  const double a = get_shape(first, other.amplitude);
+  const double b = get_shape(second, support.amplitude);
   // Round-off of an expression that vanishes here.
   const double tolerance =
-      1e-12 * std::max({std::abs(first.shape), std::abs(second.shape),
-                        distance(x, {})});
-  const bool rests =
-      std::abs(first.shape) <= tolerance && std::abs(second.shape) <= tolerance;
-  if (std::abs(first.shape - second.shape) > tolerance ||
+      1e-12 * std::max({std::abs(a), std::abs(b), distance(x, {})});
+  const bool rests = std::abs(a) <= tolerance && std::abs(b) <= tolerance;
+  if (std::abs(a - b) > tolerance ||
       (!rests && support.amplitude.to_text() != other.amplitude.to_text()))
     refuse(support, std::string("it moves component ") +
                         "xyz"[second.component] +

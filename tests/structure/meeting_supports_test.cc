@@ -62,6 +62,12 @@ TEST(MeetingSupports, are_refused_if_their_histories_differ)
                BadInput);
 }
 
+TEST(MeetingSupports, may_have_a_shape_that_never_moves)
+{
+  EXPECT_NO_THROW(make_corner(make_moving("west", "1", Signal()),
+                              make_moving("south", "0", Signal())));
+}
+
 TEST(MeetingSupports, may_rest_where_an_expression_vanishes)
 {
   // sin(pi) is not quite zero.
