@@ -57,14 +57,14 @@ std::vector<Definition> make_bar_definitions(const Case& film_case,
   return all;
 }
 
-/// The frame holds the active film with the stress times its undeformed
-/// section, against the direction of the bar.
+/// The film pulls its support towards the bar with the stress times the
+/// undeformed section; what the support carries is that without its sign.
 Definition make_force_definition(const ResonatorEquivalent& same)
 {
   Definition force =
       make_definition("force active", Probe::Kind::reaction, same.end_support,
                       same.component, &LumpedRow::nominal_stress_1_active);
-  force.film_factor = same.sign;
+  force.film_factor = -same.sign;
   force.lumped_factor = same.resonator.width * same.resonator.thickness;
   return force;
 }
