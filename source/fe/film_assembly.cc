@@ -103,8 +103,8 @@ void add_stiffness(const FilmCells& cells, const std::vector<BatchLaw>& laws,
     cells.gather_internal(batch, request.internal, A.data());
     const double mass_factor =
         request.inertia
-            ? request.alpha * (request.alpha +
-                               request.air_drag / law.elastomer->density)
+            ? request.alpha *
+                  (request.alpha + request.air_drag / law.elastomer->density)
             : 0.;
     // On a bar, forces and inertia follow different maps: see fe::Bar.
     const bool on_bar = matrix.on_bar(batch);
@@ -112,10 +112,10 @@ void add_stiffness(const FilmCells& cells, const std::vector<BatchLaw>& laws,
                       on_bar ? 0. : mass_factor, x.data(), A.data(),
                       request.alpha, request.symmetric, K.data());
     for (const auto& [load, i] : pressures_of[batch])
-      add_pressure_stiffness(
-          element.n_nodes, element.values.data(), element.gradients.data(),
-          element.weights.data(), load->batches[i].active.data(), x.data(),
-          load->pressure, request.symmetric, K.data());
+      add_pressure_stiffness(element.n_nodes, element.values.data(),
+                             element.gradients.data(), element.weights.data(),
+                             load->batches[i].active.data(), x.data(),
+                             load->pressure, request.symmetric, K.data());
     matrix.add_batch(batch, K.data(), request.symmetric, request.positions);
     if (on_bar && mass_factor != 0)
     {

@@ -1,5 +1,6 @@
 #include <taut/base/exceptions.h>
 #include <taut/fe/film_cells.h>
+#include <taut/fe/vector3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,17 +11,6 @@ namespace taut::fe
 namespace
 {
 using Vector3 = std::array<double, 3>;
-
-double dot(const Vector3& a, const Vector3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector3 cross(const Vector3& a, const Vector3& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-          a[0] * b[1] - a[1] * b[0]};
-}
 
 Vector3 scaled(const Vector3& a, const double factor)
 {

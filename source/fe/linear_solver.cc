@@ -14,15 +14,22 @@ public:
   {
     MPI_Comm comm;
     PetscInt n = 0;
-    TAUT_PETSC(PetscObjectGetComm(reinterpret_cast<PetscObject>(matrix), &comm));
+    TAUT_PETSC(
+        PetscObjectGetComm(reinterpret_cast<PetscObject>(matrix), &comm));
     TAUT_PETSC(MatGetLocalSize(matrix, &n, nullptr));
     TAUT_PETSC(
         VecCreateMPIWithArray(comm, 1, n, PETSC_DETERMINE, values, &vector_));
   }
-  ~VectorView() { VecDestroy(&vector_); }
+  ~VectorView()
+  {
+    VecDestroy(&vector_);
+  }
   VectorView(const VectorView&) = delete;
   VectorView& operator=(const VectorView&) = delete;
-  operator Vec() const { return vector_; }
+  operator Vec() const
+  {
+    return vector_;
+  }
 
 private:
   Vec vector_ = nullptr;

@@ -1,4 +1,5 @@
 #include <taut/fe/nodes.h>
+#include <taut/fe/vector3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +15,6 @@ Vector3 get(const NodalVector& vector, const LocalNode node)
 {
   return {vector.local_element(3 * node), vector.local_element(3 * node + 1),
           vector.local_element(3 * node + 2)};
-}
-
-double dot(const Vector3& a, const Vector3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /// |d_0| (1 - n n^T)/|d| v: the change of |d_0| n when d changes by v; itself
@@ -119,8 +115,7 @@ void collect_bar_forces(const Nodes& nodes, const NodalVector* positions,
     for (unsigned int i = 0; i < 3; ++i)
     {
       forces.local_element(3 * bar.centre + i) += force[i];
-      forces.local_element(3 * bar.director + i) +=
-          on_bar.fraction * turned[i];
+      forces.local_element(3 * bar.director + i) += on_bar.fraction * turned[i];
       forces.local_element(3 * on_bar.node + i) = 0;
     }
   }

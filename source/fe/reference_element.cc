@@ -43,7 +43,8 @@ ReferenceElement::ReferenceElement(const unsigned int degree)
     points.insert(points.end(), {point[0], point[1]});
   }
   fill_line(degree, *this);
-  // Vertices of the faces of a deal.II quad; node 4 + f is the middle of face f.
+  // Vertices of the faces of a deal.II quad; node 4 + f is the middle of face
+  // f.
   constexpr unsigned int vertices[4][2] = {{0, 2}, {1, 3}, {0, 1}, {2, 3}};
   for (unsigned int face = 0; face < 4; ++face)
   {

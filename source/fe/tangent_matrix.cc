@@ -80,13 +80,14 @@ TangentMatrix::TangentMatrix(const Nodes& nodes, const FilmCells& cells,
   for (unsigned int i = 0; i < nodes.on_bar.size(); ++i)
     bar_index_[nodes.on_bar[i].node] = i;
   for (const auto& cell : cells.cells())
-    folded_.push_back(std::any_of(
-        cell.nodes.begin(), cell.nodes.end(),
-        [&](const LocalNode node)
-        {
-          return coupling == Coupling::components || nodes.dependent[node] ||
-                 nodes.held[node] || node >= nodes.n_owned;
-        }));
+    folded_.push_back(std::any_of(cell.nodes.begin(), cell.nodes.end(),
+                                  [&](const LocalNode node)
+                                  {
+                                    return coupling == Coupling::components ||
+                                           nodes.dependent[node] ||
+                                           nodes.held[node] ||
+                                           node >= nodes.n_owned;
+                                  }));
   for (const auto& batch : cells.batches())
   {
     bool on_bar = false;
@@ -181,8 +182,7 @@ void TangentMatrix::create()
                                           columns.data(), nullptr));
   TAUT_PETSC(MatMPIAIJSetPreallocationCSR(matrix_, row_start.data(),
                                           columns.data(), nullptr));
-  TAUT_PETSC(
-      MatSetOption(matrix_, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE));
+  TAUT_PETSC(MatSetOption(matrix_, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE));
   TAUT_PETSC(MatSetOption(matrix_, MAT_SYMMETRIC, PETSC_FALSE));
 }
 

@@ -172,13 +172,13 @@ fe::Bar make_bar(const RigidBar& description, const double length_stiffness,
   }
   for (const auto& x : all)
   {
-    const double s = ((x[0] - centre[0]) * director[0] +
-                      (x[1] - centre[1]) * director[1] +
-                      (x[2] - centre[2]) * director[2]) /
-                     (bar.half_length * bar.half_length);
-    const double off = distance(x, {centre[0] + s * director[0],
-                                    centre[1] + s * director[1],
-                                    centre[2] + s * director[2]});
+    const double s =
+        ((x[0] - centre[0]) * director[0] + (x[1] - centre[1]) * director[1] +
+         (x[2] - centre[2]) * director[2]) /
+        (bar.half_length * bar.half_length);
+    const double off =
+        distance(x, {centre[0] + s * director[0], centre[1] + s * director[1],
+                     centre[2] + s * director[2]});
     if (off > 1e-8 * bar.half_length)
       refuse(description, "a rigid bar must be a straight line; this one is " +
                               std::to_string(off) + " m off");
@@ -363,17 +363,16 @@ DeviceNodes make_device_nodes(const Device& device, const fe::MeshData& mesh,
   const double length_stiffness = make_length_stiffness(device);
   for (unsigned int b = 0; b < device.bars.size(); ++b)
   {
-    const auto line =
-        find_group_nodes(device.bars[b].groups, mesh, dof_handler,
-                         device.bars[b], "Bar");
+    const auto line = find_group_nodes(device.bars[b].groups, mesh, dof_handler,
+                                       device.bars[b], "Bar");
     nodes.bars.push_back(make_bar(device.bars[b], length_stiffness, line,
                                   dof_handler.get_communicator(), b, nodes));
     for (const auto node : line)
     {
       int& bar = bar_of[nodes.local(node)];
       if (bar >= 0)
-        refuse(device.bars[b], "it shares a node with the bar '" +
-                                   device.bars[bar].name + "'");
+        refuse(device.bars[b],
+               "it shares a node with the bar '" + device.bars[bar].name + "'");
       bar = b;
     }
   }

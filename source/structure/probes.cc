@@ -153,7 +153,8 @@ Probes::Point Probes::find_point(const Probe& probe) const
   for (fe::LocalNode i = 0; i < nodes.n_owned; ++i)
   {
     const bool of_bar =
-        std::any_of(nodes.bars.begin(), nodes.bars.end(), [&](const fe::Bar& bar)
+        std::any_of(nodes.bars.begin(), nodes.bars.end(),
+                    [&](const fe::Bar& bar)
                     { return i == bar.centre || i == bar.director; });
     const auto& x = nodes.mesh_position[i];
     const double distance =
@@ -164,16 +165,17 @@ Probes::Point Probes::find_point(const Probe& probe) const
       node = i;
     }
   }
-  const auto all = dealii::Utilities::MPI::all_gather(
-      structure.communicator(), nearest);
+  const auto all =
+      dealii::Utilities::MPI::all_gather(structure.communicator(), nearest);
   const auto owner = std::min_element(all.begin(), all.end());
   if (*owner > 1e-6 * structure.mesh_size())
     refuse(probe, "no node of the mesh lies at its point; the nearest is " +
-                      std::to_string(*owner) + " m away: put a point of the "
+                      std::to_string(*owner) +
+                      " m away: put a point of the "
                       "geometry there");
-  const bool mine = owner - all.begin() ==
-                    dealii::Utilities::MPI::this_mpi_process(
-                        structure.communicator());
+  const bool mine =
+      owner - all.begin() ==
+      dealii::Utilities::MPI::this_mpi_process(structure.communicator());
   return mine ? Point{{node, 1.}} : Point();
 }
 
@@ -255,9 +257,9 @@ double Probes::evaluate_bar(const std::size_t probe,
       double square = 0;
       for (unsigned int i = 0; i < 3; ++i)
         square += std::pow(positions.local_element(3 * bar.director + i), 2);
-      value = positions.local_element(3 * bar.director + c) /
-                  std::sqrt(square) -
-              nodes.mesh_position[bar.director][c] / bar.half_length;
+      value =
+          positions.local_element(3 * bar.director + c) / std::sqrt(square) -
+          nodes.mesh_position[bar.director][c] / bar.half_length;
     }
   }
   return dealii::Utilities::MPI::sum(value, structure.communicator());

@@ -32,8 +32,8 @@ double compute_nominal_stress(const fe::FilmCells& cells,
   const fe::FilmSection& film = cells.films()[cells.cells()[cell].film];
   const double field = voltage / film.thickness;
   std::vector<Tensor> A;
-  const double* values = internal + cells.first_internal(cell) +
-                         3ul * q * cells.n_networks(cell);
+  const double* values =
+      internal + cells.first_internal(cell) + 3ul * q * cells.n_networks(cell);
   for (unsigned int m = 0; m < cells.n_networks(cell); ++m)
     A.push_back({values[3 * m], values[3 * m + 1], values[3 * m + 2]});
   const Tensor S = material::stress(*film.elastomer, C, A.data(),

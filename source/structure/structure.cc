@@ -106,12 +106,11 @@ void Structure::compute_forces(const LoadState& loads, const double* u,
     *vector = 0;
   }
   std::vector<double> unused_rates(rates ? 0 : n_internal());
-  const fe::LimitReport limit = fe::add_internal_forces(
-      *cells_, laws, positions_, internal, forces_,
-      rates ? rates : unused_rates.data(), powers_);
-  const double margin =
-      dealii::Utilities::MPI::min(std::isnan(limit.margin) ? -1. : limit.margin,
-                                  communicator());
+  const fe::LimitReport limit =
+      fe::add_internal_forces(*cells_, laws, positions_, internal, forces_,
+                              rates ? rates : unused_rates.data(), powers_);
+  const double margin = dealii::Utilities::MPI::min(
+      std::isnan(limit.margin) ? -1. : limit.margin, communicator());
   if (!(margin > 0))
     throw StepRejected("a spring is stretched beyond its limit near (" +
                        std::to_string(limit.place[0]) + ", " +
@@ -238,8 +237,7 @@ Structure::compute_reaction(const unsigned int support) const
   return reaction;
 }
 
-double
-Structure::compute_volume(const std::vector<std::string>& groups) const
+double Structure::compute_volume(const std::vector<std::string>& groups) const
 {
   // (1/3) int x . n dA = (1/3) sum_a f_a . x_a with the forces of 1 Pa.
   std::vector<fe::PressureLoad> unit{make_pressure(groups)};
@@ -281,8 +279,8 @@ Energies Structure::compute_energies(const LoadState& loads, const double* u,
   energies.dead_loads = sum(energies.dead_loads);
   if (!v)
     for (unsigned int i = 0; i < pressures_.size(); ++i)
-      energies.dead_loads -= loads.pressures[i] *
-                             compute_volume(device_.pressures[i].groups);
+      energies.dead_loads -=
+          loads.pressures[i] * compute_volume(device_.pressures[i].groups);
   return energies;
 }
 } // namespace taut::structure

@@ -35,9 +35,9 @@ double compute_quantile(std::vector<std::pair<double, double>> values,
   const double target = quantile * sum(weight_until.back(), comm);
   const auto weight_below = [&](const double x)
   {
-    const auto end = std::upper_bound(
-        values.begin(), values.end(), x,
-        [](const double y, const auto& entry) { return y < entry.first; });
+    const auto end = std::upper_bound(values.begin(), values.end(), x,
+                                      [](const double y, const auto& entry)
+                                      { return y < entry.first; });
     return sum(weight_until[end - values.begin()], comm);
   };
   if (!(weight_below(low) <= target))
@@ -75,9 +75,8 @@ std::vector<std::size_t> find_targets(const EventDescription& event,
   }
   const auto found = std::find(names.begin(), names.end(), event.of);
   if (found == names.end())
-    throw BadInput(std::string("there is no ") +
-                       (of_probe ? "probe" : "film") + " '" + event.of +
-                       "'; " + suggest(event.of, names),
+    throw BadInput(std::string("there is no ") + (of_probe ? "probe" : "film") +
+                       " '" + event.of + "'; " + suggest(event.of, names),
                    "", event.source_line, "Event " + event.name);
   return {std::size_t(found - names.begin())};
 }
@@ -126,9 +125,9 @@ Watches::collect(const std::size_t event, const std::size_t film,
   return values;
 }
 
-double Watches::compute_film_margin(
-    const std::size_t event, const std::size_t film,
-    const std::vector<CriticalValues>& critical) const
+double
+Watches::compute_film_margin(const std::size_t event, const std::size_t film,
+                             const std::vector<CriticalValues>& critical) const
 {
   return compute_quantile(collect(event, film, critical),
                           events_[event].quantile,

@@ -71,8 +71,7 @@ private:
   void write(double time, const double* state, bool is_last);
   void write_event(const time::Event& event, const double* state);
   void write_checkpoint(double time, const double* state);
-  void observe_path(double time, const double* u,
-                    std::vector<double>& margins);
+  void observe_path(double time, const double* u, std::vector<double>& margins);
   void fail(const std::string& reason);
   void finish(Clock::time_point began);
 
@@ -132,8 +131,7 @@ void FilmRun::write(const double time, const double* state, const bool is_last)
 
 void FilmRun::write_event(const time::Event& event, const double* state)
 {
-  const auto& description =
-      system_->structure().device().events[event.watch];
+  const auto& description = system_->structure().device().events[event.watch];
   const auto report = watches_.report(event.watch, event.time, state);
   EventRecord record;
   record.time = event.time;
@@ -202,20 +200,18 @@ time::Observer FilmRun::make_observer()
 
 void FilmRun::integrate()
 {
-  const auto result =
-      time::integrate(*system_, state_.data(), make_schedule(),
-                      case_.procedure.integrator, watches_.make_time_watches(),
-                      make_observer(), &progress_.time);
+  const auto result = time::integrate(
+      *system_, state_.data(), make_schedule(), case_.procedure.integrator,
+      watches_.make_time_watches(), make_observer(), &progress_.time);
   const auto& statistics = result.statistics;
   progress_.time = result.time;
-  summary_.counters = {
-      {"steps", statistics.steps},
-      {"rejected_by_error", statistics.rejected_by_error},
-      {"rejected_by_newton", statistics.rejected_by_newton},
-      {"evaluations", statistics.evaluations},
-      {"factorisations", statistics.factorisations},
-      {"solves", statistics.solves},
-      {"newton_iterations", statistics.newton_iterations}};
+  summary_.counters = {{"steps", statistics.steps},
+                       {"rejected_by_error", statistics.rejected_by_error},
+                       {"rejected_by_newton", statistics.rejected_by_newton},
+                       {"evaluations", statistics.evaluations},
+                       {"factorisations", statistics.factorisations},
+                       {"solves", statistics.solves},
+                       {"newton_iterations", statistics.newton_iterations}};
   if (result.outcome == time::Outcome::stopped_by_event)
     summary_.status = Status::event;
   if (result.outcome == time::Outcome::interrupted)
@@ -233,10 +229,10 @@ void FilmRun::observe_path(const double time, const double* u,
 {
   std::copy(u, u + system_->structure().n_free(), state_.begin());
   if (case_.procedure.start == structure::Start::relaxed)
-    fe::set_relaxed(system_->structure().cells(),
-                    system_->structure().compute_positions(
-                        system_->history().at(time), u),
-                    system_->internal(state_.data()));
+    fe::set_relaxed(
+        system_->structure().cells(),
+        system_->structure().compute_positions(system_->history().at(time), u),
+        system_->internal(state_.data()));
   write(time, state_.data(), true);
   const auto watches = watches_.make_time_watches();
   for (std::size_t i = 0; i < watches.size(); ++i)
@@ -244,8 +240,7 @@ void FilmRun::observe_path(const double time, const double* u,
     const double margin = watches[i].value(time, state_.data());
     if (margin < 0 && !(margins[i] < 0))
     {
-      write_event({i, time, time == case_.procedure.start_time},
-                  state_.data());
+      write_event({i, time, time == case_.procedure.start_time}, state_.data());
       if (watches[i].fatal)
         summary_.status = Status::event;
     }
@@ -256,12 +251,11 @@ void FilmRun::observe_path(const double time, const double* u,
 void FilmRun::follow_path()
 {
   const ProcedureDescription& procedure = case_.procedure;
-  structure::Equilibrium problem(
-      system_->structure(), system_->history(),
-      procedure.start == structure::Start::relaxed
-          ? structure::Networks::relaxed
-          : structure::Networks::as_given,
-      system_->internal(state_.data()));
+  structure::Equilibrium problem(system_->structure(), system_->history(),
+                                 procedure.start == structure::Start::relaxed
+                                     ? structure::Networks::relaxed
+                                     : structure::Networks::as_given,
+                                 system_->internal(state_.data()));
   std::vector<double> margins(case_.device.events.size(), 1.);
   observe_path(procedure.start_time, state_.data(), margins);
   std::vector<double> u(state_.begin(),

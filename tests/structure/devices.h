@@ -14,9 +14,10 @@ namespace taut::testing
 /// the half of the square, `film` both), lines `west`, `east`, `south`,
 /// `north` and, if n_x is even, `middle` between the halves; points
 /// `south_west` and `north_east`.
-inline fe::MeshData make_grid(
-    const unsigned int n_x, const unsigned int n_y, const unsigned int order,
-    const std::function<fe::Coordinates(double, double)>& shape)
+inline fe::MeshData
+make_grid(const unsigned int n_x, const unsigned int n_y,
+          const unsigned int order,
+          const std::function<fe::Coordinates(double, double)>& shape)
 {
   fe::MeshData mesh;
   mesh.order = order;
@@ -79,8 +80,9 @@ inline fe::MeshData make_rectangle(const unsigned int n_x,
                                    const double length, const double width)
 {
   return make_grid(n_x, n_y, order,
-                   [=](const double xi, const double eta)
-                   { return fe::Coordinates{xi * length, eta * width, 0.}; });
+                   [=](const double xi, const double eta) {
+                     return fe::Coordinates{xi * length, eta * width, 0.};
+                   });
 }
 
 inline structure::Support

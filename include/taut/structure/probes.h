@@ -15,7 +15,10 @@ public:
   /// Errors: BadInput if a probe names what the device or the mesh lacks.
   explicit Probes(StructureSystem& system);
 
-  std::size_t size() const { return descriptions_.size(); }
+  std::size_t size() const
+  {
+    return descriptions_.size();
+  }
   const std::string& name(const std::size_t probe) const
   {
     return descriptions_[probe].name;
@@ -46,8 +49,9 @@ private:
 
   StructureSystem& system_;
   std::vector<Probe> descriptions_;
-  std::vector<Point> points_;        ///< by probe; empty for other kinds
-  std::vector<std::size_t> targets_; ///< by probe: bar, electrode, support, film
+  std::vector<Point> points_; ///< by probe; empty for other kinds
+  std::vector<std::size_t>
+      targets_; ///< by probe: bar, electrode, support, film
   std::vector<std::vector<std::string>> groups_; ///< by probe, of volumes
 };
 } // namespace taut::structure

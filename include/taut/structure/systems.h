@@ -51,9 +51,18 @@ public:
   time::StateLayout layout() const override;
   std::vector<double> stop_times(double start, double end) const override;
 
-  bool has_inertia() const { return inertia_; }
-  Structure& structure() { return structure_; }
-  LoadHistory& history() { return history_; }
+  bool has_inertia() const
+  {
+    return inertia_;
+  }
+  Structure& structure()
+  {
+    return structure_;
+  }
+  LoadHistory& history()
+  {
+    return history_;
+  }
 
   /// A state at rest: internal variables relaxed or A = 1, positions in
   /// equilibrium with them if `in_equilibrium`, else those of the mesh.

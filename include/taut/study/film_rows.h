@@ -25,7 +25,10 @@ public:
   /// Collective.
   std::vector<double> make_row(double time, const double* state);
 
-  double balance_absolute() const { return balance_absolute_; }
+  double balance_absolute() const
+  {
+    return balance_absolute_;
+  }
   /// Relative to the largest energy that moved so far.
   double balance_relative() const;
 

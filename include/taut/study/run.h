@@ -33,7 +33,7 @@ struct EventRecord
   /// Direction across which tension is lost, a unit vector in space; NaN for
   /// other events.
   std::array<double, 3> direction{};
-  double value = 0;     ///< of the quantity, in its own unit
+  double value = 0; ///< of the quantity, in its own unit
   double threshold = 0;
   bool at_start = false;
   bool fatal = false;
@@ -42,8 +42,8 @@ struct EventRecord
 enum class Status
 {
   completed,
-  event,      ///< stopped by an event that the case declares fatal
-  interrupted,///< asked to stop; a checkpoint allows to go on
+  event,       ///< stopped by an event that the case declares fatal
+  interrupted, ///< asked to stop; a checkpoint allows to go on
   failed
 };
 
