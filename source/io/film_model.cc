@@ -1,6 +1,7 @@
 #include <taut/io/film_model.h>
 #include <taut/io/first_rank.h>
 #include <taut/io/gmsh_reader.h>
+#include <taut/study/adaptation.h>
 
 namespace taut::io
 {
@@ -21,6 +22,15 @@ void FilmModel::build(const study::Case& film_case, const StoredRun* stored)
     restore_refinement(*stored, mesh_, triangulation_);
   structure_ =
       std::make_unique<structure::Structure>(device, mesh_, triangulation_);
+}
+
+void FilmModel::adapt(const study::Case& film_case)
+{
+  if (film_case.device.mesh.adaptive_refinements == 0)
+    return;
+  // The old structure stands on the mesh that is about to change.
+  structure_.reset();
+  structure_ = study::make_adapted_structure(film_case, mesh_, triangulation_);
 }
 
 fe::MeshData read_shared_mesh(const structure::MeshDescription& description,

@@ -27,7 +27,8 @@ bool FolderOutput::on_any_rank(const bool answer) const
 
 void FolderOutput::begin(const std::vector<study::Column>& columns)
 {
-  if (case_file_.content.output.write_fields)
+  const study::Case& run_case = case_file_.content;
+  if (run_case.output.write_fields && run_case.model == "film")
     fields_ = std::make_unique<FieldsWriter>(folder_.path, communicator_,
                                              resumed_.field_frames);
   if (!is_first_)
@@ -37,7 +38,7 @@ void FolderOutput::begin(const std::vector<study::Column>& columns)
   events_ =
       std::make_unique<EventsWriter>(folder_.events(), resumed_.event_rows);
   replace_file(folder_.parameters(), case_file_.effective_parameters);
-  const auto& procedure = case_file_.content.procedure;
+  const auto& procedure = run_case.procedure;
   log_->set_interval(resumed_.history_rows > 0 ? resumed_.time
                                                : procedure.start_time,
                      procedure.end_time);

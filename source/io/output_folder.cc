@@ -39,7 +39,7 @@ void create(const std::string& path)
 }
 } // namespace
 
-void prepare_folder(const OutputFolder& folder, const FolderUse use)
+void check_folder(const OutputFolder& folder, const FolderUse use)
 {
   if (use == FolderUse::resume && !fs::exists(folder.get("checkpoint/state")))
     throw BadInput("there is no checkpoint to resume from", folder.path, 0, "");
@@ -48,6 +48,10 @@ void prepare_folder(const OutputFolder& folder, const FolderUse use)
                    "--resume, replace it by --overwrite or choose another "
                    "folder with -o",
                    folder.path, 0, "");
+}
+
+void prepare_folder(const OutputFolder& folder, const FolderUse use)
+{
   create(folder.path);
   if (use == FolderUse::replace)
     remove_run(folder);

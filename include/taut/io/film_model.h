@@ -20,6 +20,10 @@ public:
   FilmModel(const study::Case& film_case, MPI_Comm communicator,
             const StoredRun* stored = nullptr);
 
+  /// Refines the mesh adaptively if the case asks for it. Collective. Errors as
+  /// study::make_adapted_structure.
+  void adapt(const study::Case& film_case);
+
   const fe::MeshData& mesh() const
   {
     return mesh_;

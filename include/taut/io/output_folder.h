@@ -46,7 +46,11 @@ struct OutputFolder
   }
 };
 
-/// Makes the folder ready, on one rank. Errors: BadInput if it cannot be made
-/// or written, holds another run, or has no checkpoint to resume.
+/// Errors: BadInput if the folder holds another run, or has no checkpoint to
+/// resume.
+void check_folder(const OutputFolder& folder, FolderUse use);
+
+/// Makes the checked folder ready, on one rank. Errors: BadInput if it cannot
+/// be made or written.
 void prepare_folder(const OutputFolder& folder, FolderUse use);
 } // namespace taut::io
