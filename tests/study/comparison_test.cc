@@ -132,8 +132,10 @@ public:
 
 Comparison compare(const Case& film_case, const fe::MeshData& mesh)
 {
+  const auto equivalent = make_resonator_equivalent(film_case, mesh);
+  testing::Model model(make_observed_case(film_case, equivalent).device, mesh);
   Silence silence;
-  return compare_models(film_case, mesh, MPI_COMM_WORLD, silence);
+  return compare_models(film_case, equivalent, *model.structure, silence);
 }
 
 const ComparedQuantity& get(const Comparison& comparison,
