@@ -15,6 +15,7 @@ using Action = std::function<int(MPI_Comm)>;
 
 /// Each adds a command that sets `chosen` when it is called.
 void add_check(CLI::App& program, Action& chosen);
+void add_compare(CLI::App& program, Action& chosen);
 void add_describe(CLI::App& program, Action& chosen);
 void add_run(CLI::App& program, Action& chosen);
 } // namespace taut::app
