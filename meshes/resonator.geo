@@ -11,6 +11,8 @@ DefineConstant[
   cells_active = {8, Name "Mesh/Cells along the active strip"},
   cells_passive = {8, Name "Mesh/Cells along the passive strip"},
   cells_across = {16, Name "Mesh/Cells across"},
+  bar_gap = {0, Name "Bar/Distance of its ends from the frame (m)"},
+  cells_gap = {2, Name "Mesh/Cells across each distance"},
   order = {1, Name "Mesh/Order of the cells"}
 ];
 
@@ -31,17 +33,31 @@ Line(3) = {3, 4};
 Line(4) = {4, 5};
 Line(5) = {5, 6};
 Line(6) = {6, 1};
-Line(7) = {2, 5};
+If (bar_gap > 0)
+  Point(7) = {bar_x, bar_gap, 0};
+  Point(8) = {bar_x, side_y - bar_gap, 0};
+  Line(7) = {7, 8};
+  Line(8) = {2, 7};
+  Line(9) = {8, 5};
+  between[] = {8, 7, 9};
+  Transfinite Curve {8, 9} = cells_gap + 1;
+  Transfinite Curve {7} = cells_across - 2 * cells_gap + 1;
+Else
+  Line(7) = {2, 5};
+  between[] = {7};
+  Transfinite Curve {7} = cells_across + 1;
+EndIf
 
-Curve Loop(1) = {1, 7, 5, 6};
+Curve Loop(1) = {1, between[], 5, 6};
 Plane Surface(1) = {1};
-Curve Loop(2) = {2, 3, 4, -7};
+Curve Loop(2) = {2, 3, 4, -between[]};
 Plane Surface(2) = {2};
 
 Transfinite Curve {1, 5} = cells_active + 1;
 Transfinite Curve {2, 4} = cells_passive + 1;
-Transfinite Curve {3, 6, 7} = cells_across + 1;
-Transfinite Surface {1, 2};
+Transfinite Curve {3, 6} = cells_across + 1;
+Transfinite Surface {1} = {1, 2, 5, 6};
+Transfinite Surface {2} = {2, 3, 4, 5};
 Recombine Surface {1, 2};
 
 Physical Surface("active") = {1};

@@ -155,6 +155,15 @@ void check_times(const CaseText& text, const study::Case& content)
                      procedure);
 }
 
+void check_method(const CaseText& text,
+                  const study::ProcedureDescription& procedure)
+{
+  if (procedure.analysis == structure::Analysis::quasi_static &&
+      procedure.integrator.method != time::Method::bdf)
+    text.refuse({"Procedure", "Integrator"}, "Method",
+                "a quasi-static run needs the method bdf");
+}
+
 void check_shares(const CaseText& text,
                   const study::LumpedResonatorDescription& resonator)
 {
@@ -200,6 +209,7 @@ void check_device(const CaseText& text, const CaseDraft& draft)
 {
   const structure::Device& device = draft.content.device;
   check_completeness(text, device);
+  check_method(text, draft.content.procedure);
   check_groups_unique(text, "Film", "Surfaces", device.films);
   check_groups_unique(text, "Electrode", "Surfaces", device.electrodes);
   check_groups_unique(text, "Bar", "Lines", device.bars);

@@ -21,6 +21,13 @@ void declare_mesh(Section section, MeshDescription& mesh)
                    "values that replace those of DefineConstant in the .geo");
   section.optional("Refinements", mesh.refinements, count(0, 20),
                    "how often every cell is split into four");
+  section.optional("Adaptive refinements", mesh.adaptive_refinements,
+                   count(0, 20),
+                   "how often, after that, the cells in which the starting "
+                   "equilibrium is resolved worst are split into four");
+  section.optional("Refined share", mesh.refined_share,
+                   number(between(0, 1), "dimensionless"),
+                   "share of the cells that an adaptive refinement splits");
   section.optional("Degree", mesh.degree, count(1, 2),
                    "polynomial degree of the elements");
 }
@@ -54,7 +61,7 @@ void declare_electrode(Section& section, Electrode& electrode)
 
 void declare_support(Section& section, Support& support)
 {
-  const Format<std::string> shape = formula({"x", "y", "z"}, "m");
+  const Format<std::string> shape = formula_of_position("m");
   section.required("Groups", support.groups,
                    names("names of physical points, lines or surfaces"),
                    "what is held");

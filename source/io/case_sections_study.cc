@@ -31,15 +31,20 @@ void declare_procedure(Section section, ProcedureDescription& procedure)
                    "least number of steps of an equilibrium path");
 }
 
-void declare_integrator(Section section, time::IntegratorOptions& options)
+/// `analysis` is the entry of Analysis, if there is one: it decides about the
+/// default method.
+void declare_integrator(Section section, const Entry* analysis,
+                        time::IntegratorOptions& options)
 {
   using time::Method;
+  if (analysis && analysis->value == "quasi-static")
+    options.method = Method::bdf;
   section.optional("Method", options.method,
                    choice<Method>({{"esdirk4", Method::esdirk4},
                                    {"esdirk3", Method::esdirk3},
                                    {"bdf", Method::bdf}}),
                    "implicit Runge-Kutta of order 4 or 3, or variable-order "
-                   "BDF");
+                   "BDF, the only one and the default of quasi-static runs");
   section.optional("Position tolerance", options.position_tolerance,
                    number(positive(), "m"),
                    "local error of a displacement, root mean square");
@@ -60,7 +65,7 @@ void declare_integrator(Section section, time::IntegratorOptions& options)
   section.optional("Highest order", options.max_order, small_count(1, 5),
                    "highest order of bdf");
   section.optional("Largest step change", options.max_gamma_change,
-                   number(within(0, 1), "dimensionless"),
+                   number(between(0, 1), "dimensionless"),
                    "relative change of the step that keeps the factorisation");
   section.optional("Factorisation interval", options.setup_frequency,
                    small_count(1, 1000000),
@@ -170,7 +175,7 @@ void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
                     content.procedure);
   declare_integrator(
       all.section({"Procedure", "Integrator"}, "how time is stepped"),
-      content.procedure.integrator);
+      text.find({"Procedure"}, "Analysis"), content.procedure.integrator);
   declare_output(all.section({"Output"}, "what is written when"),
                  content.output);
   declare_checkpoint(

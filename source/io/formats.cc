@@ -122,7 +122,8 @@ std::string Range::to_text() const
   if (std::isinf(highest))
     return open ? fmt::format("above {}", lowest)
                 : fmt::format("of {} or more", lowest);
-  return fmt::format("from {} to {}", lowest, highest);
+  return fmt::format(open ? "between {} and {}" : "from {} to {}", lowest,
+                     highest);
 }
 
 Range any()
@@ -143,6 +144,11 @@ Range not_negative()
 Range within(const double lowest, const double highest)
 {
   return {lowest, highest, false};
+}
+
+Range between(const double lowest, const double highest)
+{
+  return {lowest, highest, true};
 }
 
 Range above(const double lowest)

@@ -2,13 +2,15 @@
 #include <taut/base/nearest_name.h>
 #include <taut/io/formats.h>
 
+#include <deal.II/base/function_parser.h>
+
 #include <fmt/format.h>
-#include <muParser.h>
 
 #include <algorithm>
-#include <cmath>
+#include <sstream>
 
 #include <boost/algorithm/string.hpp>
+#include <boost/algorithm/string/trim_all.hpp>
 
 namespace taut::io
 {
@@ -126,30 +128,26 @@ Format<int> word(const std::vector<std::pair<std::string, int>>& words)
   format.allowed = plain.allowed;
   return format;
 }
-Format<std::string> formula(const std::vector<std::string>& variables,
-                            const std::string& unit)
+Format<std::string> formula_of_position(const std::string& unit)
 {
-  const std::string list = boost::algorithm::join(variables, ", ");
-  const auto read = [=](const std::string& text)
+  const auto read = [](const std::string& text)
   {
     try
     {
-      mu::Parser parser;
-      std::vector<double> values(variables.size(), 0.);
-      for (std::size_t i = 0; i < variables.size(); ++i)
-        parser.DefineVar(variables[i], &values[i]);
-      parser.DefineConst("pi", std::acos(-1.));
-      parser.SetExpr(text);
-      parser.Eval();
+      dealii::FunctionParser<3> parser;
+      parser.initialize("x,y,z", text, {{"pi", dealii::numbers::PI}});
+      parser.value(dealii::Point<3>());
     }
-    catch (const mu::ParserError& error)
+    catch (const dealii::ExceptionBase& error)
     {
-      throw BadInput(fmt::format("'{}' is no expression in {}: {}", text, list,
-                                 error.GetMsg()));
+      std::ostringstream reason;
+      error.print_info(reason);
+      throw BadInput(fmt::format("'{}' is no expression in x, y, z: {}", text,
+                                 boost::trim_all_copy(reason.str())));
     }
     return text;
   };
   return {read, [](const std::string& text) { return text; },
-          "an expression in " + list, unit};
+          "an expression in x, y, z", unit};
 }
 } // namespace taut::io

@@ -172,13 +172,13 @@ fe::Bar make_bar(const RigidBar& description, const double length_stiffness,
   }
   for (const auto& x : all)
   {
-    const double s = ((x[0] - centre[0]) * director[0] +
-                      (x[1] - centre[1]) * director[1] +
-                      (x[2] - centre[2]) * director[2]) /
-                     (bar.half_length * bar.half_length);
-    const double off = distance(x, {centre[0] + s * director[0],
-                                    centre[1] + s * director[1],
-                                    centre[2] + s * director[2]});
+    const double s =
+        ((x[0] - centre[0]) * director[0] + (x[1] - centre[1]) * director[1] +
+         (x[2] - centre[2]) * director[2]) /
+        (bar.half_length * bar.half_length);
+    const double off =
+        distance(x, {centre[0] + s * director[0], centre[1] + s * director[1],
+                     centre[2] + s * director[2]});
     if (off > 1e-8 * bar.half_length)
       refuse(description, "a rigid bar must be a straight line; this one is " +
                               std::to_string(off) + " m off");
@@ -254,10 +254,33 @@ private:
   dealii::FunctionParser<3> parser_{3};
 };
 
+/// Every prescribed component, by 3 node + component.
+using Prescribed = std::map<std::size_t, HeldComponent>;
+
+/// Refuses a second support that moves a component in another way.
+void check_same_motion(const HeldComponent& first, const HeldComponent& second,
+                       const Vector3& x, const Device& device)
+{
+  const Support& other = device.supports[first.support];
+  const Support& support = device.supports[second.support];
+  // Round-off of an expression that vanishes here.
+  const double tolerance =
+      1e-12 * std::max({std::abs(first.shape), std::abs(second.shape),
+                        distance(x, {})});
+  const bool rests =
+      std::abs(first.shape) <= tolerance && std::abs(second.shape) <= tolerance;
+  if (std::abs(first.shape - second.shape) > tolerance ||
+      (!rests && support.amplitude.to_text() != other.amplitude.to_text()))
+    refuse(support, std::string("it moves component ") +
+                        "xyz"[second.component] +
+                        " of a node otherwise than '" + other.name +
+                        "' does: supports that meet must agree there");
+}
+
 void apply_support(const Support& support, const unsigned int index,
                    const std::vector<fe::GlobalNode>& group,
                    const std::vector<int>& bar_of, const Device& device,
-                   DeviceNodes& result)
+                   Prescribed& prescribed, DeviceNodes& result)
 {
   fe::Nodes& nodes = result.nodes;
   const ShapeFunctions shape(support);
@@ -279,10 +302,16 @@ void apply_support(const Support& support, const unsigned int index,
     for (unsigned int c = 0; c < 3; ++c)
       if (support.held[c])
       {
-        const double value = shape.value(x, c);
+        const HeldComponent held{node, c, index, shape.value(x, c)};
+        const auto [first, is_new] = prescribed.try_emplace(3 * node + c, held);
+        if (!is_new)
+        {
+          check_same_motion(first->second, held, x, device);
+          continue;
+        }
         nodes.held[node] |= 1 << c;
-        if (value != 0)
-          result.moving.push_back({node, c, index, value});
+        if (held.shape != 0)
+          result.moving.push_back(held);
       }
     if (node < nodes.n_owned)
       result.of_support.back().push_back(node);
@@ -304,8 +333,16 @@ void add_hanging_nodes(const DoFHandler& dof_handler, fe::Nodes& nodes,
     if (bar_of[node] >= 0 || nodes.held[node] == 7)
       continue;
     fe::HangingNode hanging{node, {}};
+    // An element below the order of the mesh has straighter edges than it: the
+    // node starts on the edge of its neighbour, or the film would be strained.
+    Vector3 start{};
     for (const auto& [master, weight] : line.entries)
+    {
       hanging.masters.push_back({nodes.local(master), weight});
+      for (unsigned int c = 0; c < 3; ++c)
+        start[c] += weight * nodes.mesh_position[nodes.local(master)][c];
+    }
+    nodes.mesh_position[node] = start;
     nodes.hanging.push_back(hanging);
     nodes.dependent[node] = true;
   }
@@ -363,25 +400,25 @@ DeviceNodes make_device_nodes(const Device& device, const fe::MeshData& mesh,
   const double length_stiffness = make_length_stiffness(device);
   for (unsigned int b = 0; b < device.bars.size(); ++b)
   {
-    const auto line =
-        find_group_nodes(device.bars[b].groups, mesh, dof_handler,
-                         device.bars[b], "Bar");
+    const auto line = find_group_nodes(device.bars[b].groups, mesh, dof_handler,
+                                       device.bars[b], "Bar");
     nodes.bars.push_back(make_bar(device.bars[b], length_stiffness, line,
                                   dof_handler.get_communicator(), b, nodes));
     for (const auto node : line)
     {
       int& bar = bar_of[nodes.local(node)];
       if (bar >= 0)
-        refuse(device.bars[b], "it shares a node with the bar '" +
-                                   device.bars[bar].name + "'");
+        refuse(device.bars[b],
+               "it shares a node with the bar '" + device.bars[bar].name + "'");
       bar = b;
     }
   }
+  Prescribed prescribed;
   for (unsigned int s = 0; s < device.supports.size(); ++s)
     apply_support(device.supports[s], s,
                   find_group_nodes(device.supports[s].groups, mesh, dof_handler,
                                    device.supports[s], "Support"),
-                  bar_of, device, result);
+                  bar_of, device, prescribed, result);
   synchronise(nodes, bar_of);
   add_bar_nodes(bar_of, nodes);
   add_hanging_nodes(dof_handler, nodes, bar_of);

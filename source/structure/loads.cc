@@ -22,8 +22,8 @@ LoadHistory::LoadHistory(const Device& device)
                         [](const Electrode& e) { return e.voltage; })),
       pressures_(collect(device.pressures,
                          [](const Pressure& p) { return p.pressure; })),
-      edges_(
-          collect(device.edge_loads, [](const EdgeLoad& e) { return e.force; })),
+      edges_(collect(device.edge_loads,
+                     [](const EdgeLoad& e) { return e.force; })),
       amplitudes_(collect(device.supports,
                           [](const Support& s) { return s.amplitude; })),
       start_(-std::numeric_limits<double>::infinity()),
@@ -42,10 +42,9 @@ void LoadHistory::for_each_signal(const Function& function) const
 void LoadHistory::enter_interval(const double start)
 {
   start_ = start;
-  const auto kinks =
-      stop_times(start, std::numeric_limits<double>::infinity());
-  end_ = kinks.empty() ? std::numeric_limits<double>::infinity()
-                       : kinks.front();
+  const auto kinks = stop_times(start, std::numeric_limits<double>::infinity());
+  end_ =
+      kinks.empty() ? std::numeric_limits<double>::infinity() : kinks.front();
 }
 
 double LoadHistory::read(const Signal& signal, const double time) const
@@ -99,6 +98,7 @@ std::vector<double> LoadHistory::stop_times(const double start,
 bool LoadHistory::has_moving_supports() const
 {
   return std::any_of(amplitudes_.begin(), amplitudes_.end(),
-                     [](const Signal& signal) { return !signal.is_constant(); });
+                     [](const Signal& signal)
+                     { return !signal.is_constant(); });
 }
 } // namespace taut::structure

@@ -1,7 +1,9 @@
 #include <taut/base/exceptions.h>
 #include <taut/structure/structure.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace taut::structure
 {
@@ -104,12 +106,11 @@ void Structure::compute_forces(const LoadState& loads, const double* u,
     *vector = 0;
   }
   std::vector<double> unused_rates(rates ? 0 : n_internal());
-  const fe::LimitReport limit = fe::add_internal_forces(
-      *cells_, laws, positions_, internal, forces_,
-      rates ? rates : unused_rates.data(), powers_);
-  const double margin =
-      dealii::Utilities::MPI::min(std::isnan(limit.margin) ? -1. : limit.margin,
-                                  communicator());
+  const fe::LimitReport limit =
+      fe::add_internal_forces(*cells_, laws, positions_, internal, forces_,
+                              rates ? rates : unused_rates.data(), powers_);
+  const double margin = dealii::Utilities::MPI::min(
+      std::isnan(limit.margin) ? -1. : limit.margin, communicator());
   if (!(margin > 0))
     throw StepRejected("a spring is stretched beyond its limit near (" +
                        std::to_string(limit.place[0]) + ", " +
@@ -147,20 +148,44 @@ void Structure::compute_forces(const LoadState& loads, const double* u,
   restrict(forces_, forces);
 }
 
-std::vector<double> Structure::compute_charges(const LoadState& loads) const
+std::vector<double> Structure::compute_capacitances() const
 {
-  std::vector<double> charges(device_.electrodes.size(), 0.);
+  std::vector<double> capacitances(device_.electrodes.size(), 0.);
   for (unsigned int slot = 0; slot < cells_->slots().size(); ++slot)
   {
     const auto& [film, electrode] = cells_->slots()[slot];
     if (electrode >= 0)
-      charges[electrode] += powers_.permittivity[slot] *
-                            loads.voltages[electrode] /
-                            std::pow(device_.films[film].thickness, 2);
+      capacitances[electrode] += powers_.permittivity[slot] /
+                                 std::pow(device_.films[film].thickness, 2);
   }
-  for (auto& charge : charges)
-    charge = sum(charge);
+  // The same on every rank, also where an electrode has no cells.
+  for (auto& capacitance : capacitances)
+    capacitance = sum(capacitance);
+  return capacitances;
+}
+
+std::vector<double> Structure::compute_charges(const LoadState& loads) const
+{
+  auto charges = compute_capacitances();
+  for (unsigned int e = 0; e < charges.size(); ++e)
+    charges[e] *= loads.voltages[e];
   return charges;
+}
+
+double Structure::mesh_size() const
+{
+  double size = 0;
+  for (unsigned int c = 0; c < 3; ++c)
+  {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const auto& x : mesh_.vertices)
+    {
+      low = std::min(low, x[c]);
+      high = std::max(high, x[c]);
+    }
+    size = std::max(size, high - low);
+  }
+  return size;
 }
 
 Powers Structure::compute_powers(const LoadState& loads,
@@ -212,8 +237,7 @@ Structure::compute_reaction(const unsigned int support) const
   return reaction;
 }
 
-double
-Structure::compute_volume(const std::vector<std::string>& groups) const
+double Structure::compute_volume(const std::vector<std::string>& groups) const
 {
   // (1/3) int x . n dA = (1/3) sum_a f_a . x_a with the forces of 1 Pa.
   std::vector<fe::PressureLoad> unit{make_pressure(groups)};
@@ -255,8 +279,8 @@ Energies Structure::compute_energies(const LoadState& loads, const double* u,
   energies.dead_loads = sum(energies.dead_loads);
   if (!v)
     for (unsigned int i = 0; i < pressures_.size(); ++i)
-      energies.dead_loads -= loads.pressures[i] *
-                             compute_volume(device_.pressures[i].groups);
+      energies.dead_loads -=
+          loads.pressures[i] * compute_volume(device_.pressures[i].groups);
   return energies;
 }
 } // namespace taut::structure

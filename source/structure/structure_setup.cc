@@ -40,10 +40,11 @@ map_surfaces(const std::vector<Entry>& entries, const fe::MeshData& mesh,
 {
   std::map<unsigned int, unsigned int> owner;
   for (unsigned int i = 0; i < entries.size(); ++i)
-    for (const auto id : find_groups(2, entries[i].groups, mesh, entries[i], key))
+    for (const auto id :
+         find_groups(2, entries[i].groups, mesh, entries[i], key))
       if (!owner.insert({id, i}).second)
-        throw BadInput("it shares a surface with '" +
-                           entries[owner[id]].name + "'",
+        throw BadInput("it shares a surface with '" + entries[owner[id]].name +
+                           "'",
                        "", entries[i].source_line, key + " " + entries[i].name);
   return owner;
 }

@@ -42,8 +42,7 @@ void Structure::add_bar_tangent(const fe::TangentRequest& request,
     const auto d = director_of(bar);
     const double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     const double length_square = bar.half_length * bar.half_length;
-    const double inertia =
-        request.inertia ? request.alpha * request.alpha : 0.;
+    const double inertia = request.inertia ? request.alpha * request.alpha : 0.;
     Block centre{}, director{};
     for (unsigned int i = 0; i < 3; ++i)
     {
@@ -73,8 +72,7 @@ void Structure::add_bar_tangent(const fe::TangentRequest& request,
       n[c] = d[c] / length;
       f_n += f[c] * n[c];
     }
-    const double factor =
-        on_bar.fraction * bar.half_length / (length * length);
+    const double factor = on_bar.fraction * bar.half_length / (length * length);
     Block block;
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
@@ -200,8 +198,7 @@ void Structure::make_mass()
     if (bar.director < nodes().n_owned)
     {
       const double m = bar.mass;
-      const double j =
-          bar.rotary_inertia / (bar.half_length * bar.half_length);
+      const double j = bar.rotary_inertia / (bar.half_length * bar.half_length);
       mass_->add_block(bar.centre, bar.centre,
                        std::array<double, 9>{m, 0, 0, 0, m, 0, 0, 0, m}.data());
       mass_->add_block(bar.director, bar.director,
@@ -215,10 +212,10 @@ void Structure::make_mass()
     return;
   drag_ = std::make_unique<fe::TangentMatrix>(nodes(), *cells_, coupling);
   drag_->begin();
-  fe::add_mass(*cells_,
-               std::vector<double>(device_.films.size(),
-                                   device_.environment.air_drag),
-               *drag_);
+  fe::add_mass(
+      *cells_,
+      std::vector<double>(device_.films.size(), device_.environment.air_drag),
+      *drag_);
   drag_->end();
 }
 

@@ -58,9 +58,10 @@ double* StructureSystem::scalars(double* state) const
   return internal(state) + structure_.n_internal();
 }
 
-std::vector<double> StructureSystem::make_initial_state(
-    const double time, const Start start, const bool in_equilibrium,
-    const time::PathOptions& options)
+std::vector<double>
+StructureSystem::make_initial_state(const double time, const Start start,
+                                    const bool in_equilibrium,
+                                    const time::PathOptions& options)
 {
   history_.enter_interval(time);
   std::vector<double> state(layout().size(), 0.);
@@ -68,10 +69,9 @@ std::vector<double> StructureSystem::make_initial_state(
   fe::set_unrelaxed(structure_.cells(), A);
   if (in_equilibrium)
   {
-    Equilibrium problem(structure_, history_,
-                        start == Start::relaxed ? Networks::relaxed
-                                                : Networks::as_given,
-                        A);
+    Equilibrium problem(
+        structure_, history_,
+        start == Start::relaxed ? Networks::relaxed : Networks::as_given, A);
     time::find_equilibrium(problem, time, state.data(), options.newton);
   }
   if (start == Start::relaxed)

@@ -221,6 +221,16 @@ TEST(Parameters, OverridesReplaceAndAdd)
       80);
 }
 
+TEST(Parameters, QuasiStaticRunsUseTheMethodThatTheyNeed)
+{
+  const CaseOnDisk disk(small_case);
+  EXPECT_EQ(read_case(disk.file()).procedure.integrator.method,
+            time::Method::esdirk4);
+  EXPECT_EQ(read_case(disk.file(), {"Procedure/Analysis = quasi-static"})
+                .procedure.integrator.method,
+            time::Method::bdf);
+}
+
 TEST(Parameters, JsonSaysTheSameAsPrm)
 {
   const CaseOnDisk disk(R"json({

@@ -3,6 +3,7 @@
 #include <taut/fe/triangulation.h>
 #include <taut/structure/systems.h>
 
+#include <cmath>
 #include <functional>
 #include <memory>
 
@@ -14,9 +15,10 @@ namespace taut::testing
 /// the half of the square, `film` both), lines `west`, `east`, `south`,
 /// `north` and, if n_x is even, `middle` between the halves; points
 /// `south_west` and `north_east`.
-inline fe::MeshData make_grid(
-    const unsigned int n_x, const unsigned int n_y, const unsigned int order,
-    const std::function<fe::Coordinates(double, double)>& shape)
+inline fe::MeshData
+make_grid(const unsigned int n_x, const unsigned int n_y,
+          const unsigned int order,
+          const std::function<fe::Coordinates(double, double)>& shape)
 {
   fe::MeshData mesh;
   mesh.order = order;
@@ -79,8 +81,9 @@ inline fe::MeshData make_rectangle(const unsigned int n_x,
                                    const double length, const double width)
 {
   return make_grid(n_x, n_y, order,
-                   [=](const double xi, const double eta)
-                   { return fe::Coordinates{xi * length, eta * width, 0.}; });
+                   [=](const double xi, const double eta) {
+                     return fe::Coordinates{xi * length, eta * width, 0.};
+                   });
 }
 
 inline structure::Support
@@ -122,13 +125,25 @@ inline structure::Electrode make_electrode(const std::string& group,
   return electrode;
 }
 
+/// The voltage (V) of the dimensionless field Et = (V/H) sqrt(eps/mu).
+inline double make_voltage(const structure::Film& film, const double field,
+                           const double modulus)
+{
+  const double permittivity =
+      material::vacuum_permittivity * std::get<material::ConstantPermittivity>(
+                                          film.material.dielectric.permittivity)
+                                          .relative;
+  return field * film.thickness * std::sqrt(modulus / permittivity);
+}
+
 /// A device with its mesh, triangulation and structure.
 struct Model
 {
   Model(const structure::Device& device, const fe::MeshData& mesh_data,
         const unsigned int refinements = 0,
-        const std::function<void(fe::Triangulation&)>& refine = {})
-      : mesh(mesh_data), triangulation(MPI_COMM_WORLD)
+        const std::function<void(fe::Triangulation&)>& refine = {},
+        const MPI_Comm communicator = MPI_COMM_WORLD)
+      : mesh(mesh_data), triangulation(communicator)
   {
     fe::create_triangulation(mesh, refinements, triangulation);
     if (refine)

@@ -1,12 +1,12 @@
 // The tangents against differences of the forces, in devices that use every
 // term at once.
-#include "structure/devices.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
+
+#include "structure/devices.h"
 
 namespace taut
 {
@@ -34,8 +34,7 @@ std::unique_ptr<testing::Model> make_everything(const unsigned int degree)
   film.material.networks.pop_back();
   film.material.springs = {material::MooneyRivlin{1e4, 3e3}};
   device.films.push_back(film);
-  device.electrodes = {
-      testing::make_electrode("left", Signal::constant(3000))};
+  device.electrodes = {testing::make_electrode("left", Signal::constant(3000))};
   device.supports = {testing::make_support("west", {{true, true, true}}),
                      testing::make_support("east", {{false, true, true}})};
   structure::Pressure pressure;

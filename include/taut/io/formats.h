@@ -37,7 +37,7 @@ struct Range
   bool open = false;
 
   bool contains(double value) const;
-  /// "above 0", "from 0 to 1", "of any size"
+  /// "above 0", "from 0 to 1", "between 0 and 1", "of any size"
   std::string to_text() const;
 };
 
@@ -48,6 +48,8 @@ Range positive();
 Range not_negative();
 /// lowest <= value <= highest
 Range within(double lowest, double highest);
+/// lowest < value < highest
+Range between(double lowest, double highest);
 /// value > lowest
 Range above(double lowest);
 
@@ -86,10 +88,9 @@ Format<std::string> one_of(const std::vector<std::string>& texts);
 /// Errors of read: BadInput with the nearest word.
 Format<int> word(const std::vector<std::pair<std::string, int>>& words);
 
-/// An expression in `variables` and pi in the language of muParser, with a
-/// value in `unit`.
-Format<std::string> formula(const std::vector<std::string>& variables,
-                            const std::string& unit);
+/// A muParser expression in x, y, z and pi, as dealii::FunctionParser reads it,
+/// with a value in `unit`.
+Format<std::string> formula_of_position(const std::string& unit);
 
 /// The parts of a comma-separated list, without blanks around them.
 std::vector<std::string> split_list(const std::string& text);

@@ -31,6 +31,10 @@ struct MeshDescription
   std::map<std::string, double> geo_parameters;
   /// Uniform refinements after reading.
   unsigned int refinements = 0;
+  /// Then so many adaptive ones, each after solving the starting equilibrium.
+  unsigned int adaptive_refinements = 0;
+  /// Share of the cells that each adaptive refinement splits in four.
+  double refined_share = 0.2;
   /// 1 or 2: polynomial degree of the quads.
   unsigned int degree = 2;
   unsigned int source_line = 0;
@@ -106,21 +110,21 @@ struct Probe : Named
 {
   enum class Kind
   {
-    position,          ///< of a point (m)
-    displacement,      ///< of a point (m)
-    velocity,          ///< of a point (m/s)
-    bar_displacement,  ///< of a bar's centre (m)
-    bar_velocity,      ///< of a bar's centre (m/s)
-    bar_rotation,      ///< of a bar's director, component of n - n_0
-    voltage,           ///< of an electrode (V)
-    charge,            ///< of an electrode (C)
-    capacitance,       ///< of an electrode (F)
-    reaction,          ///< of a support (N); static and quasi-static parts
-    mean_stretch,      ///< of a film along component 0 or 1 of its axes
-    mean_stress,       ///< nominal stress of a film along 0 or 1 (Pa)
+    position,             ///< of a point (m)
+    displacement,         ///< of a point (m)
+    velocity,             ///< of a point (m/s)
+    bar_displacement,     ///< of a bar's centre (m)
+    bar_velocity,         ///< of a bar's centre (m/s)
+    bar_rotation,         ///< of a bar's director, component of n - n_0
+    voltage,              ///< of an electrode (V)
+    charge,               ///< of an electrode (C)
+    capacitance,          ///< of an electrode (F)
+    reaction,             ///< of a support (N); static and quasi-static parts
+    mean_stretch,         ///< of a film along component 0 or 1 of its axes
+    mean_stress,          ///< nominal stress of a film along 0 or 1 (Pa)
     min_principal_stress, ///< smallest true principal stress of a film (Pa)
-    max_true_field,    ///< of a film (V/m)
-    volume             ///< enclosed between surface groups and z = 0 plane (m^3)
+    max_true_field,       ///< of a film (V/m)
+    volume ///< enclosed between surface groups and z = 0 plane (m^3)
   };
   Kind kind = Kind::displacement;
   /// Name of the bar, electrode, support or film; or physical groups.
@@ -160,15 +164,15 @@ struct Environment
 
 enum class Start
 {
-  unrelaxed,   ///< A = 1: the pre-stretch has just been applied
-  relaxed      ///< A = C^{-1} everywhere in the starting equilibrium
+  unrelaxed, ///< A = 1: the pre-stretch has just been applied
+  relaxed    ///< A = C^{-1} everywhere in the starting equilibrium
 };
 
 enum class Analysis
 {
-  equilibrium, ///< static path through the signals' times
-  quasi_static,///< viscous networks evolve, no inertia
-  transient    ///< with inertia
+  equilibrium,  ///< static path through the signals' times
+  quasi_static, ///< viscous networks evolve, no inertia
+  transient     ///< with inertia
 };
 
 /// The device.

@@ -10,9 +10,9 @@ namespace taut::structure
 /// description, with their first rates (per s) and, for supports, second.
 struct LoadState
 {
-  std::vector<double> voltages, voltage_rates;    ///< (V)
-  std::vector<double> pressures, pressure_rates;  ///< (Pa)
-  std::vector<double> edge_forces, edge_rates;    ///< (N/m)
+  std::vector<double> voltages, voltage_rates;   ///< (V)
+  std::vector<double> pressures, pressure_rates; ///< (Pa)
+  std::vector<double> edge_forces, edge_rates;   ///< (N/m)
   std::vector<double> amplitudes, amplitude_rates, amplitude_second_rates;
 };
 

@@ -29,13 +29,16 @@ struct Powers
 
 struct Energies
 {
-  double kinetic = 0;    ///< (J)
-  double stored = 0;     ///< springs and networks (J)
-  double electric = 0;   ///< (1/2) Q V (J)
+  double kinetic = 0;  ///< (J)
+  double stored = 0;   ///< springs and networks (J)
+  double electric = 0; ///< (1/2) Q V (J)
   /// - F . u, in quasi-static problems also - p (volume) (J)
   double dead_loads = 0;
   /// kinetic + stored - electric + dead_loads: what the balance follows.
-  double total() const { return kinetic + stored - electric + dead_loads; }
+  double total() const
+  {
+    return kinetic + stored - electric + dead_loads;
+  }
 };
 
 /// A device on its mesh: all forces, masses and tangents of its free unknowns.
@@ -53,20 +56,49 @@ public:
             const fe::Triangulation& triangulation);
   ~Structure();
 
-  const Device& device() const { return device_; }
-  const fe::MeshData& mesh() const { return mesh_; }
-  const dealii::DoFHandler<2, 3>& dof_handler() const { return dof_handler_; }
-  const fe::Nodes& nodes() const { return device_nodes_.nodes; }
-  const DeviceNodes& device_nodes() const { return device_nodes_; }
-  const fe::FilmCells& cells() const { return *cells_; }
+  const Device& device() const
+  {
+    return device_;
+  }
+  const fe::MeshData& mesh() const
+  {
+    return mesh_;
+  }
+  const dealii::DoFHandler<2, 3>& dof_handler() const
+  {
+    return dof_handler_;
+  }
+  const fe::Nodes& nodes() const
+  {
+    return device_nodes_.nodes;
+  }
+  const DeviceNodes& device_nodes() const
+  {
+    return device_nodes_;
+  }
+  const fe::FilmCells& cells() const
+  {
+    return *cells_;
+  }
   MPI_Comm communicator() const;
 
-  std::size_t n_free() const { return free_.size(); }
-  std::size_t n_internal() const { return cells_->n_internal(); }
+  std::size_t n_free() const
+  {
+    return free_.size();
+  }
+  std::size_t n_internal() const
+  {
+    return cells_->n_internal();
+  }
   /// Index of each free unknown among the owned entries, 3 node + component.
-  const std::vector<unsigned int>& free_unknowns() const { return free_; }
+  const std::vector<unsigned int>& free_unknowns() const
+  {
+    return free_;
+  }
   /// Over all ranks.
   std::size_t n_free_global() const;
+  /// Largest extent of the mesh along an axis (m).
+  double mesh_size() const;
 
   /// Positions (m) of all local nodes for displacements u under `loads`.
   const fe::NodalVector& compute_positions(const LoadState& loads,
@@ -87,8 +119,13 @@ public:
   Powers compute_powers(const LoadState& loads,
                         const fe::NodalVector* velocities) const;
   /// Norm of the nodal internal forces before they cancelled (N).
-  double internal_force_norm() const { return internal_force_norm_; }
-  /// Charge of every electrode at the last compute_forces (C).
+  double internal_force_norm() const
+  {
+    return internal_force_norm_;
+  }
+  /// Capacitance (F) and charge (C) of every electrode at the last
+  /// compute_forces.
+  std::vector<double> compute_capacitances() const;
   std::vector<double> compute_charges(const LoadState& loads) const;
   /// Residual force that a support carries, external minus internal, at the
   /// last compute_forces: its reaction without inertia (N).
@@ -127,7 +164,10 @@ public:
   void multiply_mass(const double* x, double* result);
   void multiply_drag(const double* x, double* result);
   void solve_mass(const double* b, double* x);
-  bool has_drag() const { return device_.environment.air_drag > 0; }
+  bool has_drag() const
+  {
+    return device_.environment.air_drag > 0;
+  }
   /// M a on the free unknowns for the accelerations of moving supports, given
   /// by the second rates of their amplitudes (or M v by their rates).
   std::vector<double>

@@ -51,8 +51,18 @@ public:
   time::StateLayout layout() const override;
   std::vector<double> stop_times(double start, double end) const override;
 
-  Structure& structure() { return structure_; }
-  LoadHistory& history() { return history_; }
+  bool has_inertia() const
+  {
+    return inertia_;
+  }
+  Structure& structure()
+  {
+    return structure_;
+  }
+  LoadHistory& history()
+  {
+    return history_;
+  }
 
   /// A state at rest: internal variables relaxed or A = 1, positions in
   /// equilibrium with them if `in_equilibrium`, else those of the mesh.
@@ -63,6 +73,7 @@ public:
 
   /// Parts of a state of this system.
   const double* internal(const double* state) const;
+  double* internal(double* state) const;
   const double* velocities(const double* state) const;
   const double* scalars(const double* state) const;
 
@@ -72,7 +83,6 @@ public:
 
 protected:
   StructureSystem(Structure& structure, bool inertia);
-  double* internal(double* state) const;
   double* scalars(double* state) const;
   /// Adds to the scalars the energy that a jump of the loads brings in at once.
   void pass_jump(double time, double* state);

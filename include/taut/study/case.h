@@ -53,17 +53,17 @@ struct LumpedResonatorDescription
   double width = 0;          ///< L_2 undeformed (m)
   double thickness = 0;      ///< L_3 undeformed (m)
   std::array<double, 2> pre_stretch{{1, 1}};
-  double bar_mass = 0;       ///< total (kg)
-  double density = 0;        ///< (kg/m^3)
-  double shear_modulus = 0;  ///< total G = G_eq + G_neq (Pa)
-  double equilibrium_share = 1;        ///< chi
-  std::vector<double> network_shares;  ///< g_m, sum 1 - chi; empty = equal
-  std::vector<double> relaxation_times;///< T_m (s)
-  double limit = 67;         ///< J_lim
-  bool relaxation_is_rate = false; ///< the printed reading of tau
+  double bar_mass = 0;                  ///< total (kg)
+  double density = 0;                   ///< (kg/m^3)
+  double shear_modulus = 0;             ///< total G = G_eq + G_neq (Pa)
+  double equilibrium_share = 1;         ///< chi
+  std::vector<double> network_shares;   ///< g_m, sum 1 - chi; empty = equal
+  std::vector<double> relaxation_times; ///< T_m (s)
+  double limit = 67;                    ///< J_lim
+  bool relaxation_is_rate = false;      ///< the printed reading of tau
   double relative_permittivity = 4.7;
   double breakdown_strength = 0; ///< (V/m)
-  Signal voltage;            ///< (V)
+  Signal voltage;                ///< (V)
 };
 
 /// Which parts of the device play the parts of the lumped resonator.

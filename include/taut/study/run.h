@@ -26,10 +26,14 @@ struct EventRecord
   double time = 0;  ///< (s)
   std::string name; ///< of the event in the case
   std::string kind; ///< tension_loss, breakdown, probe_above, probe_below
-  std::string place;///< film, electrode or probe
+  /// Film or probe; on a tie all of them, separated by " + ".
+  std::string place;
   /// Where in the mesh (m); NaN if the event has no point.
   std::array<double, 3> point{};
-  double value = 0;     ///< of the quantity, in its own unit
+  /// Direction across which tension is lost, a unit vector in space; NaN for
+  /// other events.
+  std::array<double, 3> direction{};
+  double value = 0; ///< of the quantity, in its own unit
   double threshold = 0;
   bool at_start = false;
   bool fatal = false;
@@ -38,8 +42,8 @@ struct EventRecord
 enum class Status
 {
   completed,
-  event,      ///< stopped by an event that the case declares fatal
-  interrupted,///< asked to stop; a checkpoint allows to go on
+  event,       ///< stopped by an event that the case declares fatal
+  interrupted, ///< asked to stop; a checkpoint allows to go on
   failed
 };
 
@@ -96,6 +100,8 @@ public:
   virtual void report_step(const time::Step& step,
                            const time::IntegratorStatistics& statistics,
                            double balance_relative) = 0;
+  /// True if a checkpoint is due by wall time; asked after every step.
+  virtual bool wants_checkpoint() = 0;
   /// True if the run should stop in good order (SIGTERM, SIGINT).
   virtual bool interrupted() = 0;
 };

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <taut/structure/probes.h>
+#include <taut/study/run.h>
+
+#include <vector>
+
+namespace taut::study
+{
+/// The rows of a film run's history: time, probes, energies and the residual
+/// of their balance, which it keeps count of.
+class FilmRows
+{
+public:
+  FilmRows(structure::StructureSystem& system, structure::Probes& probes);
+
+  std::vector<Column> make_columns() const;
+
+  /// Sets the energy that the balance is measured against.
+  void begin(double time, const double* state);
+  /// The same for a run that goes on.
+  void resume(const RunProgress& progress);
+  void save(RunProgress& progress) const;
+
+  /// Collective.
+  std::vector<double> make_row(double time, const double* state);
+
+  double balance_absolute() const
+  {
+    return balance_absolute_;
+  }
+  /// Relative to the largest energy that moved so far.
+  double balance_relative() const;
+
+private:
+  structure::StructureSystem& system_;
+  structure::Probes& probes_;
+  double initial_energy_ = 0;
+  double balance_absolute_ = 0;
+  double balance_scale_ = 0;
+};
+} // namespace taut::study

@@ -1,0 +1,346 @@
+#include <taut/base/exceptions.h>
+#include <taut/structure/watches.h>
+#include <taut/study/film_rows.h>
+#include <taut/study/output_times.h>
+#include <taut/study/run.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+namespace taut::study
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+using structure::Analysis;
+
+std::string get_kind(const structure::EventDescription& event)
+{
+  using Kind = structure::EventDescription::Kind;
+  switch (event.kind)
+  {
+  case Kind::tension_loss:
+    return "tension_loss";
+  case Kind::breakdown:
+    return "breakdown";
+  case Kind::probe_above:
+    return "probe_above";
+  default:
+    return "probe_below";
+  }
+}
+
+std::unique_ptr<structure::StructureSystem>
+make_system(const Case& run_case, structure::Structure& structure)
+{
+  if (run_case.procedure.analysis == Analysis::transient)
+    return std::make_unique<structure::InertialSystem>(structure);
+  time::PathOptions path;
+  path.newton.tolerance = run_case.procedure.newton_tolerance;
+  return std::make_unique<structure::QuasiStaticSystem>(structure, path);
+}
+
+/// One run of a film case.
+class FilmRun
+{
+public:
+  FilmRun(const Case& run_case, structure::Structure& structure,
+          RunOutput& output)
+      : case_(run_case), output_(output),
+        system_(make_system(run_case, structure)), probes_(*system_),
+        watches_(*system_, probes_), rows_(*system_, probes_),
+        history_times_(make_output_times(run_case.procedure,
+                                         run_case.output.history_intervals,
+                                         run_case.output.history_times)),
+        field_times_(make_output_times(run_case.procedure,
+                                       run_case.output.field_intervals,
+                                       run_case.output.field_times))
+  {
+  }
+
+  RunSummary run(const std::optional<Checkpoint>& resume);
+
+private:
+  void start(const std::optional<Checkpoint>& resume);
+  void follow_path();
+  void integrate();
+  time::Schedule make_schedule() const;
+  time::Observer make_observer();
+  void write(double time, const double* state, bool is_last);
+  void write_event(const time::Event& event, const double* state);
+  void write_checkpoint(double time, const double* state);
+  void observe_path(double time, const double* u, std::vector<double>& margins);
+  void fail(const std::string& reason);
+  void finish(Clock::time_point began);
+
+  const Case& case_;
+  RunOutput& output_;
+  std::unique_ptr<structure::StructureSystem> system_;
+  structure::Probes probes_;
+  structure::Watches watches_;
+  FilmRows rows_;
+  const std::vector<double> history_times_, field_times_;
+  std::vector<double> state_;
+  RunProgress progress_;
+  RunSummary summary_;
+  double last_written_ = std::nan("");
+};
+
+void FilmRun::start(const std::optional<Checkpoint>& resume)
+{
+  const ProcedureDescription& procedure = case_.procedure;
+  if (resume)
+  {
+    progress_ = resume->progress;
+    state_ = resume->state;
+    system_->history().enter_interval(progress_.time);
+    rows_.resume(progress_);
+    last_written_ = progress_.time;
+    return;
+  }
+  time::PathOptions options;
+  options.newton.tolerance = procedure.newton_tolerance;
+  progress_.time = procedure.start_time;
+  state_ = system_->make_initial_state(procedure.start_time, procedure.start,
+                                       true, options);
+  rows_.begin(procedure.start_time, state_.data());
+}
+
+void FilmRun::write(const double time, const double* state, const bool is_last)
+{
+  const auto is_due = [&](const std::vector<double>& times)
+  { return is_last || std::binary_search(times.begin(), times.end(), time); };
+  // A run that goes on has already written its first row.
+  if (time == last_written_)
+    return;
+  last_written_ = time;
+  if (is_due(history_times_))
+  {
+    summary_.final_row = rows_.make_row(time, state);
+    output_.write_row(summary_.final_row);
+    ++progress_.history_rows;
+  }
+  if (case_.output.write_fields && is_due(field_times_))
+  {
+    output_.write_fields(time, *system_, state);
+    ++progress_.field_frames;
+  }
+}
+
+void FilmRun::write_event(const time::Event& event, const double* state)
+{
+  const auto& description = system_->structure().device().events[event.watch];
+  const auto report = watches_.report(event.watch, event.time, state);
+  EventRecord record;
+  record.time = event.time;
+  record.name = description.name;
+  record.kind = get_kind(description);
+  record.place = report.place;
+  record.point = report.point;
+  record.direction = report.direction;
+  record.value = report.value;
+  record.threshold = report.threshold;
+  record.at_start = event.at_start;
+  record.fatal = description.fatal;
+  output_.write_event(record);
+  ++progress_.event_rows;
+  if (description.fatal)
+    summary_.reason = "event '" + description.name + "' in " + record.place;
+}
+
+void FilmRun::write_checkpoint(const double time, const double* state)
+{
+  progress_.time = time;
+  rows_.save(progress_);
+  output_.write_checkpoint(progress_, *system_, state);
+}
+
+time::Schedule FilmRun::make_schedule() const
+{
+  const ProcedureDescription& procedure = case_.procedure;
+  time::Schedule schedule;
+  schedule.start = progress_.time;
+  schedule.end = procedure.end_time;
+  std::set<double> times(history_times_.begin(), history_times_.end());
+  times.insert(field_times_.begin(), field_times_.end());
+  for (const double time : times)
+    if (time >= schedule.start)
+      schedule.output_times.push_back(time);
+  schedule.restart_every_steps = case_.checkpoint.every_steps;
+  const double every = case_.checkpoint.every_time;
+  if (every > 0)
+    for (long i = 1; procedure.start_time + i * every < schedule.end; ++i)
+      if (procedure.start_time + i * every > schedule.start)
+        schedule.restart_times.push_back(procedure.start_time + i * every);
+  return schedule;
+}
+
+time::Observer FilmRun::make_observer()
+{
+  time::Observer observer;
+  observer.output = [this](const double time, const double* state)
+  { write(time, state, time == case_.procedure.end_time); };
+  observer.step = [this](const time::Step& step,
+                         const time::IntegratorStatistics& statistics)
+  {
+    ++progress_.steps;
+    output_.report_step(step, statistics, rows_.balance_relative());
+    if (output_.wants_checkpoint())
+      write_checkpoint(step.end(), step.state());
+  };
+  observer.event = [this](const time::Event& event, const double* state)
+  { write_event(event, state); };
+  observer.interrupted = [this] { return output_.interrupted(); };
+  observer.checkpoint = [this](const double time, const double* state)
+  { write_checkpoint(time, state); };
+  return observer;
+}
+
+void FilmRun::integrate()
+{
+  const auto result = time::integrate(
+      *system_, state_.data(), make_schedule(), case_.procedure.integrator,
+      watches_.make_time_watches(), make_observer(), &progress_.time);
+  const auto& statistics = result.statistics;
+  progress_.time = result.time;
+  summary_.counters = {{"steps", statistics.steps},
+                       {"rejected_by_error", statistics.rejected_by_error},
+                       {"rejected_by_newton", statistics.rejected_by_newton},
+                       {"evaluations", statistics.evaluations},
+                       {"factorisations", statistics.factorisations},
+                       {"solves", statistics.solves},
+                       {"newton_iterations", statistics.newton_iterations}};
+  if (result.outcome == time::Outcome::stopped_by_event)
+    summary_.status = Status::event;
+  if (result.outcome == time::Outcome::interrupted)
+  {
+    summary_.status = Status::interrupted;
+    summary_.reason = "interrupted";
+    write_checkpoint(result.time, state_.data());
+  }
+  if (result.outcome != time::Outcome::completed)
+    write(result.time, state_.data(), true);
+}
+
+void FilmRun::observe_path(const double time, const double* u,
+                           std::vector<double>& margins)
+{
+  std::copy(u, u + system_->structure().n_free(), state_.begin());
+  if (case_.procedure.start == structure::Start::relaxed)
+    fe::set_relaxed(
+        system_->structure().cells(),
+        system_->structure().compute_positions(system_->history().at(time), u),
+        system_->internal(state_.data()));
+  write(time, state_.data(), true);
+  const auto watches = watches_.make_time_watches();
+  for (std::size_t i = 0; i < watches.size(); ++i)
+  {
+    const double margin = watches[i].value(time, state_.data());
+    if (margin < 0 && !(margins[i] < 0))
+    {
+      write_event({i, time, time == case_.procedure.start_time}, state_.data());
+      if (watches[i].fatal)
+        summary_.status = Status::event;
+    }
+    margins[i] = margin;
+  }
+}
+
+void FilmRun::follow_path()
+{
+  const ProcedureDescription& procedure = case_.procedure;
+  structure::Equilibrium problem(system_->structure(), system_->history(),
+                                 procedure.start == structure::Start::relaxed
+                                     ? structure::Networks::relaxed
+                                     : structure::Networks::as_given,
+                                 system_->internal(state_.data()));
+  std::vector<double> margins(case_.device.events.size(), 1.);
+  observe_path(procedure.start_time, state_.data(), margins);
+  std::vector<double> u(state_.begin(),
+                        state_.begin() + system_->structure().n_free());
+  // Load steps end at the kinks of the signals, too.
+  std::set<double> ends{procedure.end_time};
+  const double length = procedure.end_time - procedure.start_time;
+  for (unsigned int i = 1; i < procedure.load_steps; ++i)
+    ends.insert(procedure.start_time + length * i / procedure.load_steps);
+  for (const double kink :
+       system_->stop_times(procedure.start_time, procedure.end_time))
+    ends.insert(kink);
+  time::PathOptions options;
+  options.newton.tolerance = procedure.newton_tolerance;
+  time::EquilibriumStatistics total;
+  for (const double end : ends)
+  {
+    if (summary_.status != Status::completed || output_.interrupted())
+      break;
+    options.first_step = options.largest_step = end - progress_.time;
+    options.smallest_step = 1e-6 * options.first_step;
+    const auto statistics = time::follow_path(
+        problem, progress_.time, end, u.data(), options,
+        [&](const double time, const double*) { progress_.time = time; });
+    total.iterations += statistics.iterations;
+    total.factorisations += statistics.factorisations;
+    total.residuals += statistics.residuals;
+    ++progress_.steps;
+    observe_path(end, u.data(), margins);
+    system_->history().enter_interval(end);
+  }
+  summary_.counters = {{"steps", progress_.steps},
+                       {"newton_iterations", total.iterations},
+                       {"factorisations", total.factorisations},
+                       {"evaluations", total.residuals}};
+}
+
+void FilmRun::fail(const std::string& reason)
+{
+  summary_.status = Status::failed;
+  summary_.reason = reason;
+  // The state is the last one that converged, if there is one.
+  if (!state_.empty() && progress_.steps > 0)
+    write(progress_.time, state_.data(), true);
+}
+
+void FilmRun::finish(const Clock::time_point began)
+{
+  summary_.time_reached = progress_.time;
+  summary_.columns = rows_.make_columns();
+  summary_.balance_absolute = rows_.balance_absolute();
+  summary_.balance_relative = rows_.balance_relative();
+  summary_.counters["unknowns"] = system_->structure().n_free_global();
+  summary_.timings["run"] =
+      std::chrono::duration<double>(Clock::now() - began).count();
+}
+
+RunSummary FilmRun::run(const std::optional<Checkpoint>& resume)
+{
+  const auto began = Clock::now();
+  output_.begin(rows_.make_columns());
+  try
+  {
+    start(resume);
+    if (case_.procedure.analysis == Analysis::equilibrium)
+      follow_path();
+    else
+      integrate();
+  }
+  catch (const SolverFailed& failure)
+  {
+    fail(failure.what());
+  }
+  catch (const StepRejected& failure)
+  {
+    fail(failure.what());
+  }
+  finish(began);
+  return summary_;
+}
+} // namespace
+
+RunSummary run_film(const Case& run_case, structure::Structure& structure,
+                    RunOutput& output, const std::optional<Checkpoint>& resume)
+{
+  return FilmRun(run_case, structure, output).run(resume);
+}
+} // namespace taut::study

@@ -1,0 +1,108 @@
+#include <taut/base/exceptions.h>
+#include <taut/study/lumped_case.h>
+#include <taut/study/output_times.h>
+#include <taut/study/run_resonator.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace taut::study
+{
+namespace
+{
+double get_total_energy(const LumpedRow& row)
+{
+  return row.kinetic_energy + row.free_energy + row.dissipated_energy +
+         row.voltage_work;
+}
+
+/// The largest deviation of the total energy from that at the start, also over
+/// the largest energy that moved. Quasi-static runs do not track what is
+/// dissipated.
+void set_balance(const std::vector<LumpedRow>& rows, RunSummary& summary)
+{
+  double moved = 0;
+  for (const LumpedRow& row : rows)
+  {
+    summary.balance_absolute =
+        std::max(summary.balance_absolute,
+                 std::abs(get_total_energy(row) - get_total_energy(rows[0])));
+    moved = std::max({moved, row.kinetic_energy, row.dissipated_energy,
+                      std::abs(row.voltage_work),
+                      std::abs(row.free_energy - rows[0].free_energy)});
+  }
+  summary.balance_relative = moved > 0 ? summary.balance_absolute / moved : 0;
+}
+
+void set_counters(const time::OdeStatistics& statistics, RunSummary& summary)
+{
+  summary.counters["steps"] = double(statistics.steps);
+  summary.counters["rejected"] = double(statistics.rejected);
+  summary.counters["evaluations"] = double(statistics.evaluations);
+}
+
+std::vector<double> get_values(const LumpedRow& row)
+{
+  std::vector<double> values;
+  for (const LumpedColumn& column : get_lumped_columns())
+    values.push_back(row.*column.value);
+  return values;
+}
+
+/// Tells `output` what happened and the summary how it ended.
+void report(const Case& run_case, const lumped::ResonatorRun& run,
+            RunOutput& output, RunSummary& summary)
+{
+  const auto& device = run_case.lumped_resonator;
+  std::vector<LumpedRow> rows;
+  for (const lumped::ResonatorRow& row : run.rows)
+    rows.push_back(make_lumped_row(device, row));
+  for (const LumpedRow& row : rows)
+    output.write_row(get_values(row));
+  for (const lumped::ResonatorEvent& event : run.events)
+    output.write_event(make_event_record(device, event));
+  summary.time_reached = rows.back().time;
+  summary.final_row = get_values(rows.back());
+  if (run_case.procedure.analysis == structure::Analysis::transient)
+    set_balance(rows, summary);
+  set_counters(run.statistics, summary);
+  if (!run.failure)
+    return;
+  const EventRecord failure = make_event_record(device, *run.failure);
+  summary.status = Status::event;
+  summary.reason = failure.name + " in " + failure.place;
+}
+} // namespace
+
+RunSummary run_resonator(const Case& run_case, RunOutput& output)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const auto& procedure = run_case.procedure;
+  RunSummary summary;
+  std::optional<lumped::ResonatorRun> run;
+  try
+  {
+    run = run_lumped(run_case.lumped_resonator, procedure,
+                     make_output_times(procedure,
+                                       run_case.output.history_intervals,
+                                       run_case.output.history_times));
+  }
+  catch (const SolverFailed& failure)
+  {
+    summary.status = Status::failed;
+    summary.reason = failure.what();
+    summary.time_reached = procedure.start_time;
+  }
+  for (const LumpedColumn& column : get_lumped_columns())
+    summary.columns.push_back(column.column);
+  output.begin(summary.columns);
+  if (run)
+    report(run_case, *run, output, summary);
+  summary.timings["total"] =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+          .count();
+  return summary;
+}
+} // namespace taut::study
