@@ -101,10 +101,12 @@ int LinearSolver::count_negative_eigenvalues()
 {
   PC preconditioner = nullptr;
   Mat factor = nullptr;
-  PetscInt negative = 0, zero = 0, positive = 0;
+  PetscInt negative = 0;
   TAUT_PETSC(KSPGetPC(solver_, &preconditioner));
   TAUT_PETSC(PCFactorGetMatrix(preconditioner, &factor));
-  TAUT_PETSC(MatGetInertia(factor, &negative, &zero, &positive));
+  // Negative pivots of L D L^T. MatGetInertia insists on MUMPS tolerating
+  // singular matrices, which are to be refused.
+  TAUT_PETSC(MatMumpsGetInfog(factor, 12, &negative));
   return negative;
 }
 

@@ -179,6 +179,7 @@ public:
       smooth.push_back(get_smooth_values(points_[cell * n + q], n_networks_));
     dealii::DataOutBase::Patch<2, 3> patch;
     patch.patch_index = cell;
+    patch.reference_cell = dealii::ReferenceCells::Quadrilateral;
     patch.n_subdivisions = cells_.element().degree;
     patch.points_are_available = true;
     patch.data.reinit(n_columns + 3, n);

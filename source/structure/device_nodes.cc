@@ -254,10 +254,33 @@ private:
   dealii::FunctionParser<3> parser_{3};
 };
 
+/// Every prescribed component, by 3 node + component.
+using Prescribed = std::map<std::size_t, HeldComponent>;
+
+/// Refuses a second support that moves a component in another way.
+void check_same_motion(const HeldComponent& first, const HeldComponent& second,
+                       const Vector3& x, const Device& device)
+{
+  const Support& other = device.supports[first.support];
+  const Support& support = device.supports[second.support];
+  // Round-off of an expression that vanishes here.
+  const double tolerance =
+      1e-12 * std::max({std::abs(first.shape), std::abs(second.shape),
+                        distance(x, {})});
+  const bool rests =
+      std::abs(first.shape) <= tolerance && std::abs(second.shape) <= tolerance;
+  if (std::abs(first.shape - second.shape) > tolerance ||
+      (!rests && support.amplitude.to_text() != other.amplitude.to_text()))
+    refuse(support, std::string("it moves component ") +
+                        "xyz"[second.component] +
+                        " of a node otherwise than '" + other.name +
+                        "' does: supports that meet must agree there");
+}
+
 void apply_support(const Support& support, const unsigned int index,
                    const std::vector<fe::GlobalNode>& group,
                    const std::vector<int>& bar_of, const Device& device,
-                   DeviceNodes& result)
+                   Prescribed& prescribed, DeviceNodes& result)
 {
   fe::Nodes& nodes = result.nodes;
   const ShapeFunctions shape(support);
@@ -279,10 +302,16 @@ void apply_support(const Support& support, const unsigned int index,
     for (unsigned int c = 0; c < 3; ++c)
       if (support.held[c])
       {
-        const double value = shape.value(x, c);
+        const HeldComponent held{node, c, index, shape.value(x, c)};
+        const auto [first, is_new] = prescribed.try_emplace(3 * node + c, held);
+        if (!is_new)
+        {
+          check_same_motion(first->second, held, x, device);
+          continue;
+        }
         nodes.held[node] |= 1 << c;
-        if (value != 0)
-          result.moving.push_back({node, c, index, value});
+        if (held.shape != 0)
+          result.moving.push_back(held);
       }
     if (node < nodes.n_owned)
       result.of_support.back().push_back(node);
@@ -304,8 +333,16 @@ void add_hanging_nodes(const DoFHandler& dof_handler, fe::Nodes& nodes,
     if (bar_of[node] >= 0 || nodes.held[node] == 7)
       continue;
     fe::HangingNode hanging{node, {}};
+    // An element below the order of the mesh has straighter edges than it: the
+    // node starts on the edge of its neighbour, or the film would be strained.
+    Vector3 start{};
     for (const auto& [master, weight] : line.entries)
+    {
       hanging.masters.push_back({nodes.local(master), weight});
+      for (unsigned int c = 0; c < 3; ++c)
+        start[c] += weight * nodes.mesh_position[nodes.local(master)][c];
+    }
+    nodes.mesh_position[node] = start;
     nodes.hanging.push_back(hanging);
     nodes.dependent[node] = true;
   }
@@ -376,11 +413,12 @@ DeviceNodes make_device_nodes(const Device& device, const fe::MeshData& mesh,
       bar = b;
     }
   }
+  Prescribed prescribed;
   for (unsigned int s = 0; s < device.supports.size(); ++s)
     apply_support(device.supports[s], s,
                   find_group_nodes(device.supports[s].groups, mesh, dof_handler,
                                    device.supports[s], "Support"),
-                  bar_of, device, result);
+                  bar_of, device, prescribed, result);
   synchronise(nodes, bar_of);
   add_bar_nodes(bar_of, nodes);
   add_hanging_nodes(dof_handler, nodes, bar_of);

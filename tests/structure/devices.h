@@ -3,6 +3,7 @@
 #include <taut/fe/triangulation.h>
 #include <taut/structure/systems.h>
 
+#include <cmath>
 #include <functional>
 #include <memory>
 
@@ -124,13 +125,25 @@ inline structure::Electrode make_electrode(const std::string& group,
   return electrode;
 }
 
+/// The voltage (V) of the dimensionless field Et = (V/H) sqrt(eps/mu).
+inline double make_voltage(const structure::Film& film, const double field,
+                           const double modulus)
+{
+  const double permittivity =
+      material::vacuum_permittivity * std::get<material::ConstantPermittivity>(
+                                          film.material.dielectric.permittivity)
+                                          .relative;
+  return field * film.thickness * std::sqrt(modulus / permittivity);
+}
+
 /// A device with its mesh, triangulation and structure.
 struct Model
 {
   Model(const structure::Device& device, const fe::MeshData& mesh_data,
         const unsigned int refinements = 0,
-        const std::function<void(fe::Triangulation&)>& refine = {})
-      : mesh(mesh_data), triangulation(MPI_COMM_WORLD)
+        const std::function<void(fe::Triangulation&)>& refine = {},
+        const MPI_Comm communicator = MPI_COMM_WORLD)
+      : mesh(mesh_data), triangulation(communicator)
   {
     fe::create_triangulation(mesh, refinements, triangulation);
     if (refine)
