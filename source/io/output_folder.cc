@@ -56,5 +56,8 @@ void prepare_folder(const OutputFolder& folder, const FolderUse use)
   create(folder.path);
   if (use == FolderUse::replace)
     remove_run(folder);
+  // What it says is no longer true.
+  if (use == FolderUse::resume)
+    fs::remove(folder.summary());
 }
 } // namespace taut::io

@@ -128,6 +128,21 @@ TEST(OutputFolder, ReplacingRemovesTheRunAndNothingElse)
   EXPECT_EQ(read_file(folder.get("notes.txt")), "mine");
 }
 
+TEST(OutputFolder, ResumingKeepsAllButTheSummary)
+{
+  const SharedFolder parent("folder_resumed");
+  const OutputFolder folder{parent.path()};
+  std::filesystem::create_directories(folder.checkpoint());
+  for (const std::string& file :
+       {folder.get("checkpoint/state"), folder.history(), folder.summary()})
+    replace_file(file, "old");
+  check_folder(folder, FolderUse::resume);
+  prepare_folder(folder, FolderUse::resume);
+  EXPECT_EQ(read_file(folder.history()), "old");
+  EXPECT_EQ(read_file(folder.get("checkpoint/state")), "old");
+  EXPECT_FALSE(std::filesystem::exists(folder.summary()));
+}
+
 TEST(OutputFolder, AFileInItsPlaceIsRefused)
 {
   const SharedFolder parent("folder_file");

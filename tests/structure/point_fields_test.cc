@@ -146,9 +146,17 @@ TEST(PointFields, TensionState)
     EXPECT_EQ(f.tension, Tension::slack);
 }
 
+/// Moves the free nodes by up to 0.5 mm, so that the film shears.
+void disturb(Sheet& sheet)
+{
+  for (std::size_t i = 0; i < sheet.u.size(); ++i)
+    sheet.u[i] = 5e-4 * std::sin(double(i * i));
+}
+
 TEST(PointFields, CriticalValuesAreTheSameNumbers)
 {
   Sheet sheet({{2, 1.1}}, {{1.5, 1.3}});
+  disturb(sheet);
   const auto fields = sheet.compute();
   const auto critical =
       structure::compute_critical_values(sheet.structure, sheet.history.at(0),
@@ -156,8 +164,10 @@ TEST(PointFields, CriticalValuesAreTheSameNumbers)
   ASSERT_EQ(critical.size(), fields.size());
   for (std::size_t point = 0; point < fields.size(); ++point)
   {
-    EXPECT_EQ(critical[point].smaller_stress, fields[point].stresses[1]);
-    EXPECT_EQ(critical[point].true_field, fields[point].true_field);
+    EXPECT_NEAR(critical[point].smaller_stress, fields[point].stresses[1],
+                round_off * modulus);
+    EXPECT_NEAR(critical[point].true_field, fields[point].true_field,
+                round_off * 1e7);
   }
 }
 } // namespace
