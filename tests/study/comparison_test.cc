@@ -173,9 +173,10 @@ TEST(Limits, MotionOfOneCellPerStripAgreesToTheIntegratorsTolerance)
 TEST(Limits, AHeavyBarHidesTheWavesOfTheStripsALightOneDoesNot)
 {
   // The strips weigh 0.384 g each. R2: the lumped frequency is too high by
-  // 1.7 % at equal masses and by 0.002 % at fifty times that. Within a quarter of
-  // a second the light bar swings some fifteen times, a phase of 1.6 in a motion
-  // that its networks damp; the heavy one three times, a phase of 0.0004.
+  // 1.7 % at equal masses and by 0.002 % at fifty times that. Within a quarter
+  // of a second the light bar swings some fifteen times, a phase of 1.6 in a
+  // motion that its networks damp; the heavy one three times, a phase of
+  // 0.0004.
   const auto light = compare(make_motion(0.384e-3, 1e-8), make_mesh(8));
   const auto heavy = compare(make_motion(50 * 0.384e-3, 1e-8), make_mesh(8));
   EXPECT_GT(get(light, "bar displacement").max_relative_difference, 0.05);
