@@ -102,7 +102,9 @@ def make_figure(columns, comparison):
         mark_failures(axes, failures)
     figure.align_ylabels(everything[:1] + everything[3::4] + everything[4::4])
     figure.align_ylabels(everything[1::4] + everything[2::4])
-    first.set_xlim(times[0], times[-1])
+    # A failure at the end must not hide in the frame.
+    margin = 0.02 * (times[-1] - times[0]) if failures else 0
+    first.set_xlim(times[0], times[-1] + margin)
     add_legend(figure, failures)
     return figure
 

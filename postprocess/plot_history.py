@@ -12,7 +12,8 @@ from pathlib import Path
 import taut_plots as plots
 from taut_plots import plt
 
-STYLES = ["-", "--", ":"]
+# Later lines leave gaps through which equal ones are seen.
+STYLES = ["-", "--", "-.", ":"]
 
 
 def group_by_unit(columns):
@@ -29,7 +30,7 @@ def plot_group(axes, times, unit, group):
         unit, [value for _, values in group for value in values])
     for index, (name, values) in enumerate(group):
         axes.plot(times, [factor * value for value in values],
-                  STYLES[index // len(plots.COLOURS) % len(STYLES)],
+                  STYLES[index % len(STYLES)],
                   color=plots.COLOURS[index % len(plots.COLOURS)], label=name)
     axes.set_ylabel(label or "dimensionless")
     axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False)

@@ -64,6 +64,7 @@ int compare(const Arguments& arguments, const MPI_Comm communicator)
   const auto case_file =
       io::read_case_file(arguments.case_file, arguments.overrides);
   const study::Case& film_case = case_file.content;
+  study::check_comparable(film_case);
   const auto equivalent = study::make_resonator_equivalent(
       film_case, io::read_shared_mesh(film_case.device.mesh, communicator));
   io::CaseFile observed = case_file;

@@ -41,10 +41,9 @@ bool has_matplotlib(const std::string& python)
 
 std::string find_python()
 {
-  std::vector<std::string> candidates = {"python3", "/usr/bin/python3"};
   if (const char* wanted = std::getenv("TAUT_PYTHON"))
-    candidates.insert(candidates.begin(), wanted);
-  for (const std::string& python : candidates)
+    return has_matplotlib(wanted) ? wanted : "";
+  for (const char* python : {"python3", "/usr/bin/python3"})
     if (has_matplotlib(python))
       return python;
   return "";

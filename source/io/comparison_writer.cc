@@ -159,6 +159,7 @@ std::string describe_comparison(const Comparison& comparison)
                         comparison.failure_difference->voltage);
   for (const std::string& what : comparison.equivalent.ignored)
     text += "unknown to the lumped model: " + what + "\n";
+  text.pop_back();
   return text;
 }
 } // namespace taut::io
