@@ -1,6 +1,7 @@
 #include <taut/material/principal.h>
 #include <taut/structure/point_fields.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace taut::structure
@@ -11,20 +12,33 @@ using Metric = material::SymmetricTensor2<double>;
 /// Columns of the deformation gradient, [material axis][component].
 using Gradient = std::array<Direction, 2>;
 
-/// F = sum_a x_a (x) G_a in every lane of point `q`.
-Gradient compute_gradient(const fe::BatchGeometry& geometry,
-                          const std::vector<double>& positions,
-                          const unsigned int q, const unsigned int lane)
+/// One point of a film and what it is made of.
+struct Point
 {
+  std::size_t index; ///< among all points of this rank
+  unsigned int batch, lane, q;
+  const fe::BatchLaw& law;
+  const fe::FilmSection& film;
+  /// Of its networks.
+  const std::vector<Metric>& internal;
+};
+
+/// F = sum_a x_a (x) G_a.
+Gradient compute_gradient(const fe::FilmCells& cells,
+                          const fe::NodalVector& positions, const Point& point)
+{
+  const fe::BatchGeometry geometry = cells.geometry(point.batch);
+  const unsigned int cell = cells.batches()[point.batch].cells[point.lane];
+  const auto& nodes = cells.cells()[cell].nodes;
+  const double* slope =
+      geometry.gradients + 16ul * point.q * geometry.n_nodes + point.lane;
   Gradient F{};
-  for (unsigned int a = 0; a < geometry.n_nodes; ++a)
-    for (unsigned int axis = 0; axis < 2; ++axis)
+  for (const fe::LocalNode node : nodes)
+    for (Direction& column : F)
     {
-      const double slope =
-          geometry
-              .gradients[((q * geometry.n_nodes + a) * 2 + axis) * 8 + lane];
       for (unsigned int d = 0; d < 3; ++d)
-        F[axis][d] += slope * positions[(3 * a + d) * 8 + lane];
+        column[d] += *slope * positions.local_element(3 * node + d);
+      slope += 8;
     }
   return F;
 }
@@ -46,31 +60,35 @@ Direction push_forward(const Gradient& F, const std::array<double, 2>& line)
   return result;
 }
 
-/// Where a point lies and what it is made of.
-struct Place
+double get_nominal_field(const Point& point)
 {
-  const fe::BatchLaw& law;
-  const fe::FilmSection& film;
-  /// Of its networks.
-  std::vector<Metric> internal;
-};
-
-double get_nominal_field(const Place& place)
-{
-  return std::sqrt(place.law.field.nominal_squared);
+  return std::sqrt(point.law.field.nominal_squared);
 }
 
-Metric compute_stress(const Place& place, const Metric& C)
+Metric compute_stress(const Point& point, const Metric& C)
 {
-  return material::stress(*place.law.elastomer, C, place.internal.data(),
-                          place.law.field);
+  return material::stress(*point.law.elastomer, C, point.internal.data(),
+                          point.law.field);
 }
 
-std::vector<Metric> get_internal(const fe::FilmCells& cells,
-                                 const double* internal,
-                                 const unsigned int cell, const unsigned int q)
+/// The smaller eigenvalue of S C, accurate also where both are equal.
+double compute_smaller_stress(const Metric& C, const Metric& S)
 {
-  std::vector<Metric> result(cells.n_networks(cell));
+  const double xx = S.xx * C.xx + S.xy * C.xy;
+  const double yy = S.xy * C.xy + S.yy * C.yy;
+  const double xy = S.xx * C.xy + S.xy * C.yy;
+  const double yx = S.xy * C.xx + S.yy * C.xy;
+  const double half_difference = (xx - yy) / 2;
+  const double square = half_difference * half_difference + xy * yx;
+  return (xx + yy) / 2 - std::sqrt(std::max(square, 0.));
+}
+
+/// The internal variables of all networks of a point of a cell.
+void read_internal(const fe::FilmCells& cells, const double* internal,
+                   const unsigned int cell, const unsigned int q,
+                   std::vector<Metric>& result)
+{
+  result.resize(cells.n_networks(cell));
   const double* A =
       internal + cells.first_internal(cell) + 3ul * q * result.size();
   for (Metric& tensor : result)
@@ -78,33 +96,27 @@ std::vector<Metric> get_internal(const fe::FilmCells& cells,
     tensor = {A[0], A[1], A[2]};
     A += 3;
   }
-  return result;
 }
 
-/// Calls function(index, place, F) for every point of this rank.
+/// Calls function(point) for every point of this rank.
 template <typename Function>
-void for_each_point(Structure& structure, const LoadState& loads,
-                    const double* u, const double* internal,
-                    const Function& function)
+void for_each_point(const Structure& structure, const LoadState& loads,
+                    const double* internal, const Function& function)
 {
   const fe::FilmCells& cells = structure.cells();
   const auto laws = structure.make_laws(loads, Networks::as_given);
-  const auto& nodal = structure.compute_positions(loads, u);
   const unsigned int n = cells.element().n_nodes;
-  std::vector<double> positions(cells.nodal_size());
+  std::vector<Metric> A;
   for (unsigned int b = 0; b < cells.batches().size(); ++b)
   {
     const fe::FilmBatch& batch = cells.batches()[b];
-    cells.gather(b, nodal, positions.data());
+    const fe::FilmSection& film = cells.films()[cells.slots()[batch.slot].film];
     for (unsigned int lane = 0; lane < batch.n_cells; ++lane)
       for (unsigned int q = 0; q < n; ++q)
       {
         const unsigned int cell = batch.cells[lane];
-        function(cell * n + q,
-                 Place{laws[batch.slot],
-                       cells.films()[cells.cells()[cell].film],
-                       get_internal(cells, internal, cell, q)},
-                 compute_gradient(cells.geometry(b), positions, q, lane));
+        read_internal(cells, internal, cell, q, A);
+        function(Point{cell * n + q, b, lane, q, laws[batch.slot], film, A});
       }
   }
 }
@@ -126,12 +138,12 @@ Tension classify(const std::array<double, 2>& stresses)
   return stresses[1] <= 0 ? Tension::wrinkled : Tension::taut;
 }
 
-PointFields make_point_fields(const Place& place, const Gradient& F)
+PointFields make_point_fields(const Point& point, const Gradient& F)
 {
   const Metric C = compute_metric(F);
   const auto stretches = material::compute_principal_stretches(C);
   const auto stresses =
-      material::compute_principal_stresses(C, compute_stress(place, C));
+      material::compute_principal_stresses(C, compute_stress(point, C));
   PointFields fields;
   fields.stretches = stretches.values;
   fields.stresses = stresses.values;
@@ -140,14 +152,14 @@ PointFields make_point_fields(const Place& place, const Gradient& F)
     fields.stretch_directions[i] = push_forward(F, stretches.directions[i]);
     fields.stress_directions[i] = push_forward(F, stresses.directions[i]);
   }
-  const double field = get_nominal_field(place);
+  const double field = get_nominal_field(point);
   fields.true_field = material::compute_true_field(C, field);
   fields.breakdown_margin = material::compute_breakdown_margin(
-      place.law.elastomer->dielectric, C, field);
+      point.law.elastomer->dielectric, C, field);
   fields.thickness =
-      place.film.thickness / std::sqrt(material::compute_determinant(C));
+      point.film.thickness / std::sqrt(material::compute_determinant(C));
   fields.tension = classify(stresses.values);
-  for (const Metric& A : place.internal)
+  for (const Metric& A : point.internal)
     fields.internal_stretches.push_back(
         material::compute_principal_stretches(material::compute_inverse(A))
             .values);
@@ -160,16 +172,18 @@ std::vector<CriticalValues> compute_critical_values(Structure& structure,
                                                     const double* u,
                                                     const double* internal)
 {
+  const auto metric = fe::compute_metric(structure.cells(),
+                                         structure.compute_positions(loads, u));
   std::vector<CriticalValues> values(count_points(structure));
   for_each_point(
-      structure, loads, u, internal,
-      [&](const std::size_t point, const Place& place, const Gradient& F)
+      structure, loads, internal,
+      [&](const Point& point)
       {
-        const Metric C = compute_metric(F);
-        values[point] = {
-            material::compute_principal_stresses(C, compute_stress(place, C))
-                .values[1],
-            material::compute_true_field(C, get_nominal_field(place))};
+        const auto& [xx, yy, xy] = metric[point.index];
+        const Metric C{xx, yy, xy};
+        values[point.index] = {
+            compute_smaller_stress(C, compute_stress(point, C)),
+            material::compute_true_field(C, get_nominal_field(point))};
       });
   return values;
 }
@@ -179,11 +193,15 @@ std::vector<PointFields> compute_point_fields(Structure& structure,
                                               const double* u,
                                               const double* internal)
 {
+  const auto& positions = structure.compute_positions(loads, u);
   std::vector<PointFields> fields(count_points(structure));
-  for_each_point(
-      structure, loads, u, internal,
-      [&](const std::size_t point, const Place& place, const Gradient& F)
-      { fields[point] = make_point_fields(place, F); });
+  for_each_point(structure, loads, internal,
+                 [&](const Point& point)
+                 {
+                   fields[point.index] = make_point_fields(
+                       point,
+                       compute_gradient(structure.cells(), positions, point));
+                 });
   return fields;
 }
 } // namespace taut::structure

@@ -1,4 +1,3 @@
-#include <taut/fe/triangulation.h>
 #include <taut/structure/probes.h>
 #include <taut/study/comparison.h>
 #include <taut/study/lumped_case.h>
@@ -57,14 +56,14 @@ std::vector<Definition> make_bar_definitions(const Case& film_case,
   return all;
 }
 
-/// The frame holds the active film with the stress times its undeformed
-/// section, against the direction of the bar.
+/// The film pulls its support towards the bar with the stress times the
+/// undeformed section; what the support carries is that without its sign.
 Definition make_force_definition(const ResonatorEquivalent& same)
 {
   Definition force =
       make_definition("force active", Probe::Kind::reaction, same.end_support,
                       same.component, &LumpedRow::nominal_stress_1_active);
-  force.film_factor = same.sign;
+  force.film_factor = -same.sign;
   force.lumped_factor = same.resonator.width * same.resonator.thickness;
   return force;
 }
@@ -97,23 +96,6 @@ std::vector<Definition> make_definitions(const Case& film_case,
   all.push_back(
       make_definition("charge", Kind::charge, parts.electrode, 0, &R::charge));
   return all;
-}
-
-/// The film case with the probes of the comparison behind its own, and no
-/// files but those of a history.
-Case make_observed_case(const Case& film_case,
-                        const std::vector<Definition>& definitions)
-{
-  Case observed = film_case;
-  for (const Definition& definition : definitions)
-  {
-    observed.device.probes.push_back(definition.probe);
-    observed.device.probes.back().name += " (comparison)";
-  }
-  observed.output.write_fields = false;
-  observed.output.field_intervals = 0;
-  observed.checkpoint = {0, 0, 0};
-  return observed;
 }
 
 /// Keeps rows and events, and passes everything on.
@@ -241,7 +223,8 @@ Rows select_film_rows(const Rows& rows, const std::size_t first,
   return selected;
 }
 
-/// Whether the voltage jumps there: the models write the row before and after.
+/// Whether the voltage jumps there: one model writes the row before the jump,
+/// the other the one after it.
 bool is_at_jump(const Signal& voltage, const double time)
 {
   return voltage.value(time) != voltage.value_before(time);
@@ -296,15 +279,15 @@ void compare_rows(const Rows& film, const Rows& lumped,
   std::set<double> all;
   for (const Rows* rows : {&film, &lumped})
     for (const auto& [time, row] : *rows)
-      all.insert(time);
+      if (!is_at_jump(voltage, time))
+        all.insert(time);
   comparison.times.assign(all.begin(), all.end());
   std::vector<bool> counts;
   for (const double time : comparison.times)
   {
     comparison.voltage.push_back(voltage.value(time));
     counts.push_back(film.count(time) && lumped.count(time) &&
-                     time <= comparison.compared_until &&
-                     !is_at_jump(voltage, time));
+                     time <= comparison.compared_until);
   }
   for (std::size_t i = 0; i < definitions.size(); ++i)
   {
@@ -322,19 +305,31 @@ void compare_rows(const Rows& film, const Rows& lumped,
 }
 } // namespace
 
-Comparison compare_models(const Case& film_case, const fe::MeshData& mesh,
-                          const MPI_Comm communicator, RunOutput& output)
+Case make_observed_case(const Case& film_case,
+                        const ResonatorEquivalent& equivalent)
 {
+  Case observed = film_case;
+  for (const Definition& definition : make_definitions(film_case, equivalent))
+  {
+    observed.device.probes.push_back(definition.probe);
+    observed.device.probes.back().name += " (comparison)";
+  }
+  observed.output.write_fields = false;
+  observed.output.field_intervals = 0;
+  observed.checkpoint = {0, 0, 0};
+  return observed;
+}
+
+Comparison compare_models(const Case& film_case,
+                          const ResonatorEquivalent& equivalent,
+                          structure::Structure& structure, RunOutput& output)
+{
+  const auto definitions = make_definitions(film_case, equivalent);
   Comparison comparison;
-  comparison.equivalent = make_resonator_equivalent(film_case, mesh);
-  const auto definitions = make_definitions(film_case, comparison.equivalent);
-  const Case observed = make_observed_case(film_case, definitions);
-  fe::Triangulation triangulation(communicator);
-  fe::create_triangulation(mesh, film_case.device.mesh.refinements,
-                           triangulation);
-  structure::Structure structure(observed.device, mesh, triangulation);
+  comparison.equivalent = equivalent;
   Recorder recorder(output);
-  comparison.film_summary = run_film(observed, structure, recorder);
+  comparison.film_summary =
+      run_film(make_observed_case(film_case, equivalent), structure, recorder);
   record_film_events(recorder.events, film_case, comparison);
   const Rows lumped =
       run_lumped_rows(film_case, recorder.rows, definitions, comparison);

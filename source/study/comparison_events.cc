@@ -16,10 +16,10 @@ std::string get_tension_kind(const std::array<double, 3>& direction,
     along += direction[c] * axis[c];
     squares += axis[c] * axis[c];
   }
-  const double cosine = std::abs(along) / std::sqrt(squares);
+  const double cosine = std::min(1., std::abs(along) / std::sqrt(squares));
   // Round-off turns the axes of a uniform stress less than this.
   constexpr double aligned = 1e-3;
-  if (cosine > 1 - aligned)
+  if (std::sqrt(1 - cosine * cosine) < aligned)
     return "loss of tension along 1";
   if (cosine < aligned)
     return "loss of tension along 2";

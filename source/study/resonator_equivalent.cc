@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "film_strip.h"
-#include "resonator_material.h"
+#include "resonator_equivalent_material.h"
+#include "resonator_equivalent_strip.h"
 
 namespace taut::study
 {
@@ -274,8 +274,7 @@ std::vector<std::string> list_ignored(const Parts& parts)
 }
 } // namespace
 
-ResonatorEquivalent make_resonator_equivalent(const Case& film_case,
-                                              const fe::MeshData& mesh)
+void check_comparable(const Case& film_case)
 {
   if (!film_case.comparison)
     throw BadInput("the case has no section 'Comparison' that says which "
@@ -287,6 +286,12 @@ ResonatorEquivalent make_resonator_equivalent(const Case& film_case,
                    film_case.file, 0, "Procedure/Analysis");
   check_parts(film_case);
   check_loads(film_case);
+}
+
+ResonatorEquivalent make_resonator_equivalent(const Case& film_case,
+                                              const fe::MeshData& mesh)
+{
+  check_comparable(film_case);
   const Parts parts = find_parts(film_case, mesh);
   check_films(parts);
   check_electrode(parts);

@@ -85,7 +85,8 @@ private:
   std::vector<double> state_;
   RunProgress progress_;
   RunSummary summary_;
-  double last_written_ = std::nan("");
+  double last_row_ = std::nan(""), last_frame_ = std::nan("");
+  bool resumed_ = false;
 };
 
 void FilmRun::start(const std::optional<Checkpoint>& resume)
@@ -97,7 +98,8 @@ void FilmRun::start(const std::optional<Checkpoint>& resume)
     state_ = resume->state;
     system_->history().enter_interval(progress_.time);
     rows_.resume(progress_);
-    last_written_ = progress_.time;
+    last_row_ = last_frame_ = progress_.time;
+    resumed_ = true;
     return;
   }
   time::PathOptions options;
@@ -112,18 +114,18 @@ void FilmRun::write(const double time, const double* state, const bool is_last)
 {
   const auto is_due = [&](const std::vector<double>& times)
   { return is_last || std::binary_search(times.begin(), times.end(), time); };
-  // A run that goes on has already written its first row.
-  if (time == last_written_)
-    return;
-  last_written_ = time;
-  if (is_due(history_times_))
+  // The last time of a run may also be one of its output times, and the first
+  // of a run that goes on is already written.
+  if (is_due(history_times_) && time != last_row_)
   {
+    last_row_ = time;
     summary_.final_row = rows_.make_row(time, state);
     output_.write_row(summary_.final_row);
     ++progress_.history_rows;
   }
-  if (case_.output.write_fields && is_due(field_times_))
+  if (case_.output.write_fields && is_due(field_times_) && time != last_frame_)
   {
+    last_frame_ = time;
     output_.write_fields(time, *system_, state);
     ++progress_.field_frames;
   }

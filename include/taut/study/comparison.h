@@ -1,10 +1,7 @@
 #pragma once
 
-#include <taut/fe/mesh_data.h>
 #include <taut/study/resonator_equivalent.h>
 #include <taut/study/run.h>
-
-#include <mpi.h>
 
 #include <optional>
 #include <string>
@@ -53,7 +50,8 @@ struct FailureDifference
 struct Comparison
 {
   ResonatorEquivalent equivalent;
-  std::vector<double> times;   ///< rows of the film (s)
+  /// Rows of either model, except those at a jump of the voltage (s).
+  std::vector<double> times;
   std::vector<double> voltage; ///< (V)
   std::vector<ComparedQuantity> quantities;
   std::vector<ComparedEvent> film_events, lumped_events;
@@ -66,13 +64,19 @@ struct Comparison
   RunSummary film_summary;
 };
 
+/// The film case as the comparison runs it: its own probes, behind them those
+/// that the lumped model has as well, and no fields and checkpoints.
+/// `equivalent` is that of the case.
+Case make_observed_case(const Case& film_case,
+                        const ResonatorEquivalent& equivalent);
+
 /// Runs `film_case` by finite elements and the lumped resonator it stands for
-/// on the same output times. The probes needed are added to those of the case.
-/// `output` gets the run of the film as from run_film, except fields and
-/// checkpoints. A quantity that stays zero in the lumped model is left out.
-/// Collective over `communicator`.
-/// Errors: BadInput as make_resonator_equivalent and run_film; SolverFailed if
-/// the lumped model fails. A failure of the film's solver is in film_summary.
-Comparison compare_models(const Case& film_case, const fe::MeshData& mesh,
-                          MPI_Comm communicator, RunOutput& output);
+/// on the same output times. `structure` is that of the observed case. `output`
+/// gets the run of the film as from run_film, except fields and checkpoints. A
+/// quantity that stays zero in the lumped model is left out. Collective.
+/// Errors: BadInput as run_film; SolverFailed if the lumped model fails. A
+/// failure of the film's solver is in film_summary.
+Comparison compare_models(const Case& film_case,
+                          const ResonatorEquivalent& equivalent,
+                          structure::Structure& structure, RunOutput& output);
 } // namespace taut::study

@@ -25,6 +25,10 @@ struct ResonatorEquivalent
   std::vector<std::string> ignored;
 };
 
+/// What the case file alone tells of the refusals of make_resonator_equivalent,
+/// before there is a mesh. Errors: BadInput likewise.
+void check_comparable(const Case& film_case);
+
 /// Measures the films of the case's Comparison on the mesh (extents along and
 /// across the motion, divided by the pre-stretch) and reads material,
 /// electrode and bar.

@@ -1,4 +1,4 @@
-#include "film_strip.h"
+#include "resonator_equivalent_strip.h"
 
 #include <taut/base/exceptions.h>
 

@@ -1,4 +1,4 @@
-#include "resonator_material.h"
+#include "resonator_equivalent_material.h"
 
 #include <taut/base/exceptions.h>
 #include <taut/base/number_text.h>

@@ -1,0 +1,76 @@
+#include <taut/base/exceptions.h>
+#include <taut/io/csv_file.h>
+#include <taut/io/files.h>
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace taut::io
+{
+namespace
+{
+std::string quote(const std::string& field)
+{
+  if (field.find_first_of(",\"\r\n") == std::string::npos)
+    return field;
+  std::string quoted = "\"";
+  for (const char character : field)
+    quoted += character == '"' ? "\"\"" : std::string(1, character);
+  return quoted + '"';
+}
+
+std::string make_line(const std::vector<std::string>& fields)
+{
+  std::string line;
+  for (const std::string& field : fields)
+    line += (&field == &fields.front() ? "" : ",") + quote(field);
+  return line + '\n';
+}
+
+/// Header and first rows of the old file. A row ends with a line break: names
+/// hold none.
+std::string keep_rows(const std::string& file, const std::string& header,
+                      const std::size_t rows)
+{
+  const std::string content = read_file(file);
+  if (content.compare(0, header.size(), header) != 0)
+    throw BadInput("the columns differ from those of the run that is to be "
+                   "resumed: change the probes back, or start a new run",
+                   file, 1, "");
+  std::size_t end = header.size();
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    const std::size_t line_break = content.find('\n', end);
+    if (line_break == std::string::npos)
+      throw BadInput(fmt::format("the file has {} rows, but the checkpoint was "
+                                 "written after {}",
+                                 row, rows),
+                     file, 0, "");
+    end = line_break + 1;
+  }
+  return content.substr(0, end);
+}
+} // namespace
+
+CsvFile::CsvFile(const std::string& file,
+                 const std::vector<std::string>& header, const std::size_t rows)
+    : file_(file)
+{
+  const std::string first = make_line(header);
+  replace_file(file, rows > 0 ? keep_rows(file, first, rows) : first);
+  stream_.open(file, std::ios::app);
+}
+
+void CsvFile::write(const std::vector<std::string>& fields)
+{
+  stream_ << make_line(fields) << std::flush;
+  if (!stream_)
+    throw std::runtime_error("cannot write " + file_);
+}
+
+std::string to_field(const double value)
+{
+  return fmt::format("{:.15g}", value);
+}
+} // namespace taut::io

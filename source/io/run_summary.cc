@@ -1,0 +1,77 @@
+#include <taut/io/run_summary.h>
+#include <taut/io/versions.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <nlohmann/json.hpp>
+
+namespace taut::io
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+Json make_final(const study::RunSummary& summary)
+{
+  Json values = Json::object();
+  for (std::size_t i = 0; i < summary.final_row.size(); ++i)
+    values[summary.columns[i].name] = summary.final_row[i];
+  return values;
+}
+
+Json make_changes(const std::vector<ChangedParameter>& changed)
+{
+  Json changes = Json::object();
+  for (const ChangedParameter& parameter : changed)
+    changes[parameter.path] = {{"default", parameter.default_value},
+                               {"value", parameter.value}};
+  return changes;
+}
+} // namespace
+
+std::string to_text(const study::Status status)
+{
+  switch (status)
+  {
+  case study::Status::completed:
+    return "completed";
+  case study::Status::event:
+    return "event";
+  case study::Status::interrupted:
+    return "interrupted";
+  default:
+    return "failed";
+  }
+}
+
+Machine measure_machine(const MPI_Comm communicator)
+{
+  dealii::Utilities::System::MemoryStats memory;
+  dealii::Utilities::System::get_memory_stats(memory);
+  const std::uint64_t kilobyte = 1024;
+  return {dealii::Utilities::MPI::n_mpi_processes(communicator),
+          dealii::Utilities::MPI::sum(kilobyte * memory.VmHWM, communicator)};
+}
+
+std::string make_run_json(const study::RunSummary& summary,
+                          const Machine& machine,
+                          const std::vector<ChangedParameter>& changed)
+{
+  Json run;
+  run["status"] = to_text(summary.status);
+  run["reason"] = summary.reason;
+  run["time_reached"] = summary.time_reached;
+  run["final"] = make_final(summary);
+  run["counters"] = summary.counters;
+  run["timings"] = summary.timings;
+  run["energy_balance"] = {{"absolute", summary.balance_absolute},
+                           {"relative", summary.balance_relative}};
+  run["peak_memory_bytes"] = machine.peak_memory;
+  run["ranks"] = machine.n_ranks;
+  run["versions"] = get_versions();
+  run["parameters_changed"] = make_changes(changed);
+  const int indent = 2;
+  return run.dump(indent) + "\n";
+}
+} // namespace taut::io
