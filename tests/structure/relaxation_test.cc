@@ -64,6 +64,46 @@ TEST(StepRelaxation, UniaxialFollowsTheReference)
   }
 }
 
+TEST(LongTime, EndsInTheRelaxedEquilibrium)
+{
+  // Clamped at both ends, so that every point has its own history.
+  structure::Device device;
+  device.films = {
+      testing::make_film(material::Gent{2e4, 60}, 1e-3, {{1.5, 2}})};
+  device.films[0].material.networks = {{material::Gent{1e4, 60}, .01},
+                                       {material::NeoHookean{5e3}, .1}};
+  device.supports = {testing::make_support("west", {{true, true, true}}),
+                     testing::make_support("east", {{true, true, true}},
+                                           {{".01", ".004", "0"}},
+                                           Signal::table({0, .1}, {0, 1}))};
+  testing::Model model(device, testing::make_rectangle(4, 3, 2, .05, .04));
+  auto& structure = *model.structure;
+  structure::QuasiStaticSystem system(structure, {});
+  auto state =
+      system.make_initial_state(0, structure::Start::unrelaxed, true, {});
+  time::Schedule schedule;
+  schedule.end = 5;
+  auto options = testing::make_slow_options(1e-9);
+  options.internal_tolerance = 1e-7;
+  integrate(system, state.data(), schedule, options, {}, {});
+
+  testing::Statics statics(structure, structure::Networks::relaxed);
+  statics.u.assign(state.begin(), state.begin() + structure.n_free());
+  statics.set_amplitude(1, 1);
+  statics.find(1e-12);
+  for (std::size_t i = 0; i < statics.u.size(); ++i)
+    EXPECT_NEAR(state[i], statics.u[i], 1e-8);
+  // Networks at rest: A = C^-1.
+  std::vector<double> relaxed(structure.n_internal());
+  fe::set_relaxed(
+      structure.cells(),
+      structure.compute_positions(statics.get_loads(), statics.u.data()),
+      relaxed.data());
+  const double* A = system.internal(state.data());
+  for (std::size_t i = 0; i < relaxed.size(); ++i)
+    EXPECT_NEAR(A[i], relaxed[i], 1e-6);
+}
+
 TEST(Vhb4910, LoadAndUnloadInAMesh)
 {
   // Arruda-Boyce ground with the exact inverse Langevin function; rate .01 /s,
