@@ -71,8 +71,7 @@ double find_wave_frequency(const double ratio)
   std::uintmax_t iterations = 200;
   const auto bracket = boost::math::tools::toms748_solve(
       [=](const double z) { return ratio * z * std::sin(z) - 2 * std::cos(z); },
-      1e-6, 1.6, boost::math::tools::eps_tolerance<double>(50),
-      iterations);
+      1e-6, 1.6, boost::math::tools::eps_tolerance<double>(50), iterations);
   return bracket.first;
 }
 
