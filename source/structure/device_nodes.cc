@@ -195,14 +195,8 @@ double make_length_stiffness(const Device& device)
 {
   double stiffness = 0;
   for (const auto& film : device.films)
-  {
-    double modulus = 0;
-    for (const auto& spring : film.material.springs)
-      modulus += material::shear_modulus(spring);
-    for (const auto& network : film.material.networks)
-      modulus += material::shear_modulus(network.spring);
-    stiffness = std::max(stiffness, modulus * film.thickness);
-  }
+    stiffness = std::max(stiffness, material::shear_modulus(film.material) *
+                                        film.thickness);
   return 1e4 * stiffness;
 }
 

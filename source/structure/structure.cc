@@ -137,7 +137,7 @@ void Structure::compute_forces(const LoadState& loads, const double* u,
   }
   // Forces cancel within a node long before they are collected: the scale of
   // the residual is what the film would pull with if nothing did.
-  internal_force_norm_ = std::max(std::sqrt(sum(square)), 1e-300);
+  internal_force_norm_ = std::max(std::sqrt(sum(square)), least_force_);
   fe::collect_hanging_forces(nodes(), forces_);
   if (!nodes().bars.empty())
     bar_node_forces_.assign(forces_.begin(),

@@ -101,6 +101,7 @@ Structure::Structure(const Device& device, const fe::MeshData& mesh,
                        &tangent_positions_})
     *vector = nodes().make_vector();
   make_weight();
+  least_force_ = compute_least_force();
   for (const auto& load : device_.edge_loads)
     edges_.push_back(make_edge_load(load));
   for (const auto& pressure : device_.pressures)
@@ -184,6 +185,22 @@ void Structure::make_weight()
       for (unsigned int c = 0; c < 3; ++c)
         weight_.local_element(3 * bar.centre + c) +=
             bar.mass * device_.environment.gravity[c];
+}
+
+double Structure::compute_least_force() const
+{
+  // A stress G pulls at a node of a cell of size h with about G H h: the sum of
+  // the squares is G^2 H^2 times the area of the mesh.
+  double square = 0;
+  for (unsigned int cell = 0; cell < cells_->cells().size(); ++cell)
+  {
+    const Film& film = device_.films[cells_->cells()[cell].film];
+    const double modulus = material::shear_modulus(film.material);
+    for (unsigned int q = 0; q < cells_->element().weights.size(); ++q)
+      square += modulus * modulus * film.thickness * film.pre_stretch[0] *
+                film.pre_stretch[1] * cells_->volume(cell, q);
+  }
+  return 1e-3 * std::sqrt(sum(square));
 }
 
 fe::NodalVector Structure::make_edge_load(const EdgeLoad& load) const

@@ -224,7 +224,11 @@ void ArkodeStepper::set_up_newton(const IntegratorOptions& options)
         "ARKStepSetDeduceImplicitRhs");
   check(ARKStepSetPredictorMethod(memory, 1), "ARKStepSetPredictorMethod");
   check(ARKStepSetInterpolantDegree(memory, 1), "ARKStepSetInterpolantDegree");
-  check(ARKStepSetNonlinConvCoef(memory, 0.01), "ARKStepSetNonlinConvCoef");
+  // An error e of a stage's displacement is one of e/gamma in its velocity,
+  // which the norm does not see: with 0.01 it ruled the error of a film with
+  // stiff cells, 9e-3 after 20 periods against 3e-3, for a quarter fewer
+  // solves.
+  check(ARKStepSetNonlinConvCoef(memory, 0.001), "ARKStepSetNonlinConvCoef");
   check(ARKStepSetMaxNonlinIters(memory, 10), "ARKStepSetMaxNonlinIters");
   check(ARKStepSetDeltaGammaMax(memory, options.max_gamma_change),
         "ARKStepSetDeltaGammaMax");

@@ -42,6 +42,17 @@ inline Elastomer relaxed(const Elastomer& elastomer)
   return result;
 }
 
+/// The small-strain shear modulus of springs and networks together, in Pa.
+inline double shear_modulus(const Elastomer& elastomer)
+{
+  double modulus = 0.;
+  for (const Spring& spring : elastomer.springs)
+    modulus += shear_modulus(spring);
+  for (const Network& network : elastomer.networks)
+    modulus += shear_modulus(network.spring);
+  return modulus;
+}
+
 /// The internal variable of a network at rest, C^-1.
 template <class Number>
 SymmetricTensor2<Number> relaxed_internal(const SymmetricTensor2<Number>& C)

@@ -43,7 +43,7 @@ struct IntegratorOptions
   /// the factors of the linear system are kept, below 1.
   double max_gamma_change = 0.2;
   /// Steps after which they are renewed in any case; not for Method::bdf.
-  int setup_frequency = 20;
+  int setup_frequency = 40;
   long max_steps = 2000000;
 };
 

@@ -1,0 +1,91 @@
+// Viscous films under prescribed stretch in a mesh, without inertia.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "structure/viscous_films.h"
+
+namespace taut
+{
+namespace
+{
+/// Nominal stress along x on the east edge, and 1/sqrt(A_xx) of the first
+/// point.
+struct Reading
+{
+  double stress, inelastic;
+};
+
+std::vector<Reading> run(structure::Structure& structure,
+                         const std::vector<double>& times,
+                         const double tolerance)
+{
+  structure::QuasiStaticSystem system(structure, {});
+  auto state =
+      system.make_initial_state(0, structure::Start::unrelaxed, true, {});
+  std::vector<Reading> readings;
+  time::Observer observer;
+  observer.output = [&](const double time, const double* y)
+  {
+    std::vector<double> f(state.size());
+    system.evaluate(time, y, f.data());
+    readings.push_back({structure.compute_reaction(3)[0],
+                        1 / std::sqrt(system.internal(y)[0])});
+  };
+  time::Schedule schedule;
+  schedule.end = times.back();
+  schedule.output_times = times;
+  integrate(system, state.data(), schedule,
+            testing::make_slow_options(tolerance), {}, observer);
+  return readings;
+}
+
+TEST(StepRelaxation, UniaxialFollowsTheReference)
+{
+  // One branch G = tau = 1 beside a spring whose stress is known, stretched to
+  // 2 at once: the film is mounted so. t, l_i, nominal branch stress.
+  constexpr double ground = .5;
+  auto device = testing::make_sheet(
+      {{material::NeoHookean{ground}}, {{material::NeoHookean{1}, 1}}, {}, 1},
+      {testing::make_support("east", {{true, false, false}})});
+  device.films[0].pre_stretch = {{2, 1 / std::sqrt(2.)}};
+  testing::Model model(device, testing::make_sheet_mesh());
+  const auto readings = run(*model.structure, {0, .1, 1, 5}, 1e-9);
+  const double inelastic[] = {1, 1.1078746401, 1.6514959692, 1.9936532174};
+  const double stress[] = {1.75, 1.3525102852, .3204146520, .0047752567};
+  ASSERT_EQ(readings.size(), 4u);
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    // Local errors of 1e-9 add up over some hundred steps.
+    EXPECT_NEAR(readings[i].inelastic, inelastic[i], 2e-7);
+    // The edge is 1/sqrt(2) as wide as the film was.
+    EXPECT_NEAR(readings[i].stress / std::sqrt(2.), ground * 1.75 + stress[i],
+                2e-7);
+  }
+}
+
+TEST(Vhb4910, LoadAndUnloadInAMesh)
+{
+  // Arruda-Boyce ground with the exact inverse Langevin function; rate .01 /s,
+  // reversal at the stretch 2.5; nominal stress in Pa.
+  const Signal stretching = Signal::table({0, 150, 300}, {0, 1.5, 0});
+  const auto device = testing::make_sheet(
+      {{material::ArrudaBoyce{15.36e3, 5.99}},
+       {{material::NeoHookean{26.06e3}, .6074},
+        {material::NeoHookean{26.53e3}, 6.56},
+        {material::NeoHookean{10.83e3}, 61.25}},
+       {material::ConstantPermittivity{4.8}},
+       960},
+      {testing::make_support("east", {{true, false, false}}, {{"1", "0", "0"}},
+                             stretching)});
+  testing::Model model(device, testing::make_rectangle(1, 1, 2, 1, 1));
+  const auto readings = run(*model.structure, {56.25, 150, 243.75, 250}, 1e-8);
+  const double stress[] = {27.016852e3, 42.121060e3, 11.890059e3};
+  // The output starts with the time 0.
+  ASSERT_GE(readings.size(), 3u);
+  const std::size_t first = readings.size() - 4;
+  for (unsigned int i = 0; i < 3; ++i)
+    EXPECT_NEAR(readings[first + i].stress, stress[i], 1e-5 * stress[i]);
+}
+} // namespace
+} // namespace taut
