@@ -87,13 +87,15 @@ std::string RunLog::make_line(const time::Step& step,
       end_ > begin_ ? (step.end() - begin_) / (end_ - begin_) : 1;
   const double elapsed =
       std::chrono::duration<double>(Clock::now() - started_).count();
-  const double left = share > 0 ? elapsed * (1 - share) / share : 0;
-  return fmt::format("t = {:.6g} s ({:.1f} %)  step {:.2e} s  order {}  Newton "
-                     "{}  energy balance {:.1e}  {} left",
-                     step.end(), 100 * share, step.end() - step.start(),
-                     step.order(),
-                     statistics.newton_iterations - newton_before_,
-                     balance_relative, to_clock(left));
+  // The first steps are tiny and say nothing of the pace.
+  const std::string left =
+      share > 0.01 ? "  " + to_clock(elapsed * (1 - share) / share) + " left"
+                   : "";
+  return fmt::format(
+      "t = {:.6g} s ({:.1f} %)  step {:.2e} s  order {}  Newton "
+      "{}  energy balance {:.1e}{}",
+      step.end(), 100 * share, step.end() - step.start(), step.order(),
+      statistics.newton_iterations - newton_before_, balance_relative, left);
 }
 
 void RunLog::report(const time::Step& step,

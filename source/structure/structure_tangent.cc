@@ -238,20 +238,35 @@ void Structure::solve_mass(const double* b, double* x)
 }
 
 std::vector<double>
-Structure::compute_support_inertia(const std::vector<double>& rates) const
+Structure::compute_support_product(const std::vector<double>& densities,
+                                   const std::vector<double>& rates) const
 {
-  auto acceleration = nodes().make_vector(), product = nodes().make_vector();
+  auto motion = nodes().make_vector(), product = nodes().make_vector();
   for (const auto& held : device_nodes_.moving)
     if (held.node < nodes().n_owned)
-      acceleration.local_element(3 * held.node + held.component) +=
+      motion.local_element(3 * held.node + held.component) +=
           held.shape * rates[held.support];
-  acceleration.update_ghost_values();
-  fe::distribute_change(nodes(), nullptr, acceleration);
-  fe::add_mass_product(*cells_, get_densities(), acceleration, product);
+  motion.update_ghost_values();
+  fe::distribute_change(nodes(), nullptr, motion);
+  fe::add_mass_product(*cells_, densities, motion, product);
   fe::collect_forces(nodes(), nullptr, product);
   product.compress(dealii::VectorOperation::add);
   std::vector<double> result(n_free());
   restrict(product, result.data());
   return result;
+}
+
+std::vector<double>
+Structure::compute_support_inertia(const std::vector<double>& rates) const
+{
+  return compute_support_product(get_densities(), rates);
+}
+
+std::vector<double>
+Structure::compute_support_drag(const std::vector<double>& rates) const
+{
+  const std::vector<double> drag(device_.films.size(),
+                                 device_.environment.air_drag);
+  return compute_support_product(drag, rates);
 }
 } // namespace taut::structure

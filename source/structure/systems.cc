@@ -116,8 +116,7 @@ void InertialSystem::evaluate(const double time, const double* state, double* f)
   double drag_power = 0, support_power = 0;
   if (structure_.has_drag())
   {
-    std::vector<double> drag(n);
-    structure_.multiply_drag(v, drag.data());
+    const auto drag = compute_drag(loads, v);
     for (std::size_t i = 0; i < n; ++i)
     {
       forces[i] -= drag[i];
@@ -143,6 +142,21 @@ void InertialSystem::evaluate(const double time, const double* state, double* f)
     s[Scalar::lost] = powers.drag;
     s[Scalar::work] = powers.work;
   }
+}
+
+std::vector<double> InertialSystem::compute_drag(const LoadState& loads,
+                                                 const double* v)
+{
+  std::vector<double> drag(structure_.n_free());
+  structure_.multiply_drag(v, drag.data());
+  if (history_.has_moving_supports())
+  {
+    const auto of_supports =
+        structure_.compute_support_drag(loads.amplitude_rates);
+    for (std::size_t i = 0; i < drag.size(); ++i)
+      drag[i] += of_supports[i];
+  }
+  return drag;
 }
 
 void InertialSystem::multiply_mass(const double* x, double* result)

@@ -19,10 +19,22 @@ public:
            unsigned int line, const std::string& key);
 
   /// The message without the position.
-  const std::string& message() const { return message_; }
-  const std::string& file() const { return file_; }
-  unsigned int line() const { return line_; }
-  const std::string& key() const { return key_; }
+  const std::string& message() const
+  {
+    return message_;
+  }
+  const std::string& file() const
+  {
+    return file_;
+  }
+  unsigned int line() const
+  {
+    return line_;
+  }
+  const std::string& key() const
+  {
+    return key_;
+  }
 
 private:
   std::string message_;

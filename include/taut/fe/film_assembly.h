@@ -60,10 +60,10 @@ struct TangentRequest
 {
   const NodalVector* positions;
   const double* internal;
-  double alpha = 0;       ///< (1/s), infinity: networks frozen
-  bool inertia = false;   ///< add alpha^2 M + alpha * drag
-  double air_drag = 0;    ///< (kg/(m^3 s))
-  bool symmetric = true;  ///< its symmetric part
+  double alpha = 0;      ///< (1/s), infinity: networks frozen
+  bool inertia = false;  ///< add alpha^2 M + alpha * drag
+  double air_drag = 0;   ///< (kg/(m^3 s))
+  bool symmetric = true; ///< its symmetric part
 };
 
 /// Adds the film's tangent, pressures included, to a begun matrix.

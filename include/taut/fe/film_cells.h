@@ -59,14 +59,32 @@ public:
             std::vector<FilmCell> cells,
             const std::vector<std::array<double, 3>>& mesh_positions);
 
-  const ReferenceElement& element() const { return element_; }
-  const std::vector<FilmSection>& films() const { return films_; }
-  const std::vector<FilmCell>& cells() const { return cells_; }
-  const std::vector<FilmBatch>& batches() const { return batches_; }
-  const std::vector<LawSlot>& slots() const { return slots_; }
+  const ReferenceElement& element() const
+  {
+    return element_;
+  }
+  const std::vector<FilmSection>& films() const
+  {
+    return films_;
+  }
+  const std::vector<FilmCell>& cells() const
+  {
+    return cells_;
+  }
+  const std::vector<FilmBatch>& batches() const
+  {
+    return batches_;
+  }
+  const std::vector<LawSlot>& slots() const
+  {
+    return slots_;
+  }
 
   unsigned int n_networks(unsigned int cell) const;
-  std::size_t n_internal() const { return n_internal_; }
+  std::size_t n_internal() const
+  {
+    return n_internal_;
+  }
   /// Where the internal variables of a cell begin.
   std::size_t first_internal(const unsigned int cell) const
   {
@@ -93,13 +111,19 @@ public:
   void scatter_internal(unsigned int batch, const double* values,
                         double* internal) const;
   /// Longest arrays a batch needs, in doubles.
-  std::size_t nodal_size() const { return 8 * 3 * element_.n_nodes; }
-  std::size_t internal_size() const { return max_batch_internal_; }
+  std::size_t nodal_size() const
+  {
+    return 8 * 3 * element_.n_nodes;
+  }
+  std::size_t internal_size() const
+  {
+    return max_batch_internal_;
+  }
 
 private:
   void make_batches();
-  void compute_geometry(
-      const std::vector<std::array<double, 3>>& mesh_positions);
+  void
+  compute_geometry(const std::vector<std::array<double, 3>>& mesh_positions);
 
   ReferenceElement element_;
   std::vector<FilmSection> films_;
@@ -110,8 +134,8 @@ private:
   std::vector<std::pair<unsigned int, unsigned int>> batch_and_lane_;
   std::size_t n_internal_ = 0;
   std::size_t max_batch_internal_ = 0;
-  dealii::AlignedVector<double> gradients_; ///< [batch][q][a][2][lane]
-  dealii::AlignedVector<double> volumes_;   ///< [batch][q][lane]
+  dealii::AlignedVector<double> gradients_;   ///< [batch][q][a][2][lane]
+  dealii::AlignedVector<double> volumes_;     ///< [batch][q][lane]
   std::vector<std::array<double, 9>> frames_; ///< [cell][q] point, two axes
 };
 } // namespace taut::fe

@@ -57,8 +57,14 @@ struct Lanes
   {
     return Lanes(a.v / b.v);
   }
-  friend Lanes operator-(const Lanes& a) { return Lanes(-a.v); }
-  friend Lanes operator+(const Lanes& a) { return a; }
+  friend Lanes operator-(const Lanes& a)
+  {
+    return Lanes(-a.v);
+  }
+  friend Lanes operator+(const Lanes& a)
+  {
+    return a;
+  }
 };
 
 /// `function` applied to each lane.

@@ -11,8 +11,9 @@ namespace taut::fe
 {
 /// The sparse matrix of the free nodal unknowns (3 node + component, global
 /// numbering). Rows of prescribed components and of nodes that follow others
-/// hold only a one on the diagonal. Cells without such nodes and without nodes of
-/// other ranks go straight into the value array; the others are folded first.
+/// hold only a one on the diagonal. Cells without such nodes and without nodes
+/// of other ranks go straight into the value array; the others are folded
+/// first.
 class TangentMatrix
 {
 public:
@@ -27,7 +28,10 @@ public:
   TangentMatrix(const TangentMatrix&) = delete;
   TangentMatrix& operator=(const TangentMatrix&) = delete;
 
-  _p_Mat* get() const { return matrix_; }
+  _p_Mat* get() const
+  {
+    return matrix_;
+  }
 
   /// Sets all values to zero and opens the matrix for adding. Collective.
   void begin();
@@ -42,7 +46,10 @@ public:
   void end();
 
   /// True if the batch has a cell whose nodes follow a bar.
-  bool on_bar(const unsigned int batch) const { return on_bar_[batch]; }
+  bool on_bar(const unsigned int batch) const
+  {
+    return on_bar_[batch];
+  }
 
 private:
   /// A node as a combination of free ones: x_node = sum block x_master.

@@ -174,6 +174,10 @@ public:
   /// by the second rates of their amplitudes (or M v by their rates).
   std::vector<double>
   compute_support_inertia(const std::vector<double>& rates) const;
+  /// D v on the free unknowns for the velocities of moving supports (N), given
+  /// by the rates of their amplitudes.
+  std::vector<double>
+  compute_support_drag(const std::vector<double>& rates) const;
 
   /// Free unknowns of a nodal vector and back (local, no ghosts).
   void restrict(const fe::NodalVector& nodal, double* free) const;
@@ -186,6 +190,9 @@ private:
   double compute_least_force() const;
   fe::NodalVector make_edge_load(const EdgeLoad& load) const;
   std::vector<double> get_densities() const;
+  std::vector<double>
+  compute_support_product(const std::vector<double>& densities,
+                          const std::vector<double>& rates) const;
   double get_displacement(std::size_t entry) const;
   void add_bar_forces(fe::NodalVector& forces) const;
   void add_bar_tangent(const fe::TangentRequest& request,

@@ -106,6 +106,7 @@ public:
   void pass_stop_time(double time, double* state) override;
 
 private:
+  std::vector<double> compute_drag(const LoadState& loads, const double* v);
   void pass_kink_of_supports(const LoadState& before, const LoadState& after,
                              double* state);
 };

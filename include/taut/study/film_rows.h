@@ -29,7 +29,8 @@ public:
   {
     return balance_absolute_;
   }
-  /// Relative to the largest energy that moved so far.
+  /// Relative to the largest energy that moved so far, at least a millionth of
+  /// what was stored at the start.
   double balance_relative() const;
 
 private:

@@ -31,7 +31,8 @@ struct StateLayout
 
 /// A system of ordinary differential and algebraic equations as the
 /// integrators see it. With velocities
-///   u' = v,   M v' = force(t, u, v, A),   A' = rate(t, u, A),   s' = rate(t, y)
+///   u' = v,   M v' = force(t, u, v, A),   A' = rate(t, u, A),   s' = rate(t,
+///   y)
 /// and without (quasi-static)
 ///   0 = force(t, u, A),   A' = rate(t, u, A),   s' = rate(t, y).
 /// In short  B y' = f(t, y)  with the constant matrix B = diag(1, M, 1, 1) or
