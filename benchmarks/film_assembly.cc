@@ -36,8 +36,7 @@ struct Problem
     const auto& mesh = structure.nodes().mesh_position;
     for (fe::LocalNode node = 0; node < mesh.size(); ++node)
       for (unsigned int c = 0; c < 3; ++c)
-        positions.local_element(3 * node + c) =
-            mesh[node][c] + noise(generator);
+        fe::entry(positions, 3 * node + c) = mesh[node][c] + noise(generator);
     fe::set_relaxed(cells, positions, internal.data());
   }
 

@@ -157,10 +157,9 @@ void add_mass_product(const FilmCells& cells,
       {
         double at_point = 0;
         for (unsigned int b = 0; b < n; ++b)
-          at_point += values[b] * x.local_element(3 * cell.nodes[b] + d);
+          at_point += values[b] * entry(x, 3 * cell.nodes[b] + d);
         for (unsigned int a = 0; a < n; ++a)
-          result.local_element(3 * cell.nodes[a] + d) +=
-              mass * values[a] * at_point;
+          entry(result, 3 * cell.nodes[a] + d) += mass * values[a] * at_point;
       }
     }
   }

@@ -194,8 +194,7 @@ void FilmCells::gather(const unsigned int batch, const NodalVector& nodal,
     const FilmCell& cell = cells_[batches_[batch].cells[lane]];
     for (unsigned int a = 0; a < element_.n_nodes; ++a)
       for (unsigned int d = 0; d < 3; ++d)
-        values[(3 * a + d) * 8 + lane] =
-            nodal.local_element(3 * cell.nodes[a] + d);
+        values[(3 * a + d) * 8 + lane] = entry(nodal, 3 * cell.nodes[a] + d);
   }
 }
 
@@ -220,8 +219,7 @@ void FilmCells::scatter_add(const unsigned int batch, const double* values,
     const FilmCell& cell = cells_[batches_[batch].cells[lane]];
     for (unsigned int a = 0; a < element_.n_nodes; ++a)
       for (unsigned int d = 0; d < 3; ++d)
-        nodal.local_element(3 * cell.nodes[a] + d) +=
-            values[(3 * a + d) * 8 + lane];
+        entry(nodal, 3 * cell.nodes[a] + d) += values[(3 * a + d) * 8 + lane];
   }
 }
 

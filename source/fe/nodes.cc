@@ -13,8 +13,8 @@ using Vector3 = std::array<double, 3>;
 
 Vector3 get(const NodalVector& vector, const LocalNode node)
 {
-  return {vector.local_element(3 * node), vector.local_element(3 * node + 1),
-          vector.local_element(3 * node + 2)};
+  return {entry(vector, 3 * node), entry(vector, 3 * node + 1),
+          entry(vector, 3 * node + 2)};
 }
 
 /// |d_0| (1 - n n^T)/|d| v: the change of |d_0| n when d changes by v; itself
@@ -57,15 +57,15 @@ void distribute_positions(const Nodes& nodes, NodalVector& positions)
     const double scale =
         on_bar.fraction * bar.half_length / std::sqrt(dot(d, d));
     for (unsigned int i = 0; i < 3; ++i)
-      positions.local_element(3 * on_bar.node + i) = c[i] + scale * d[i];
+      entry(positions, 3 * on_bar.node + i) = c[i] + scale * d[i];
   }
   for (const auto& hanging : nodes.hanging)
     for (unsigned int i = 0; i < 3; ++i)
     {
       double x = 0;
       for (const auto& [master, weight] : hanging.masters)
-        x += weight * positions.local_element(3 * master + i);
-      positions.local_element(3 * hanging.node + i) = x;
+        x += weight * entry(positions, 3 * master + i);
+      entry(positions, 3 * hanging.node + i) = x;
     }
 }
 
@@ -79,16 +79,15 @@ void distribute_change(const Nodes& nodes, const NodalVector* positions,
     const Vector3 dd = get(dx, bar.director);
     const Vector3 turned = positions ? turn(bar, *positions, dd) : dd;
     for (unsigned int i = 0; i < 3; ++i)
-      dx.local_element(3 * on_bar.node + i) =
-          dc[i] + on_bar.fraction * turned[i];
+      entry(dx, 3 * on_bar.node + i) = dc[i] + on_bar.fraction * turned[i];
   }
   for (const auto& hanging : nodes.hanging)
     for (unsigned int i = 0; i < 3; ++i)
     {
       double x = 0;
       for (const auto& [master, weight] : hanging.masters)
-        x += weight * dx.local_element(3 * master + i);
-      dx.local_element(3 * hanging.node + i) = x;
+        x += weight * entry(dx, 3 * master + i);
+      entry(dx, 3 * hanging.node + i) = x;
     }
 }
 
@@ -97,9 +96,9 @@ void collect_hanging_forces(const Nodes& nodes, NodalVector& forces)
   for (const auto& hanging : nodes.hanging)
     for (unsigned int i = 0; i < 3; ++i)
     {
-      double& force = forces.local_element(3 * hanging.node + i);
+      double& force = entry(forces, 3 * hanging.node + i);
       for (const auto& [master, weight] : hanging.masters)
-        forces.local_element(3 * master + i) += weight * force;
+        entry(forces, 3 * master + i) += weight * force;
       force = 0;
     }
 }
@@ -114,9 +113,9 @@ void collect_bar_forces(const Nodes& nodes, const NodalVector* positions,
     const Vector3 turned = positions ? turn(bar, *positions, force) : force;
     for (unsigned int i = 0; i < 3; ++i)
     {
-      forces.local_element(3 * bar.centre + i) += force[i];
-      forces.local_element(3 * bar.director + i) += on_bar.fraction * turned[i];
-      forces.local_element(3 * on_bar.node + i) = 0;
+      entry(forces, 3 * bar.centre + i) += force[i];
+      entry(forces, 3 * bar.director + i) += on_bar.fraction * turned[i];
+      entry(forces, 3 * on_bar.node + i) = 0;
     }
   }
 }

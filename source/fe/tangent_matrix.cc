@@ -47,7 +47,7 @@ Block make_turn(const Bar& bar, const NodalVector& positions)
   double square = 0;
   for (unsigned int i = 0; i < 3; ++i)
   {
-    d[i] = positions.local_element(3 * bar.director + i);
+    d[i] = entry(positions, 3 * bar.director + i);
     square += d[i] * d[i];
   }
   const double factor = bar.half_length / std::sqrt(square);

@@ -46,7 +46,7 @@ void append(const fe::NodalVector& nodal, const fe::LocalNode node,
             std::vector<double>& values)
 {
   for (unsigned int c = 0; c < 3; ++c)
-    values.push_back(nodal.local_element(3 * node + c));
+    values.push_back(fe::entry(nodal, 3 * node + c));
 }
 
 std::vector<double> get_bar_values(const fe::Nodes& nodes,
@@ -121,7 +121,7 @@ void set_owned(const fe::Nodes& all, const std::vector<fe::LocalNode>& nodes,
     refuse_state();
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (unsigned int c = 0; c < 3 && nodes[i] < all.n_owned; ++c)
-      nodal.local_element(3 * nodes[i] + c) = values[3 * i + c];
+      fe::entry(nodal, 3 * nodes[i] + c) = values[3 * i + c];
 }
 
 std::map<CellAddress, const CellState*> index_cells(const StoredRun& run)

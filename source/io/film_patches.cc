@@ -150,7 +150,7 @@ void add_vector(const fe::NodalVector& nodal, const fe::LocalNode node,
                 std::vector<double>& values)
 {
   for (unsigned int d = 0; d < 3; ++d)
-    values.push_back(nodal.local_element(3 * node + d));
+    values.push_back(fe::entry(nodal, 3 * node + d));
 }
 
 /// Turns cells into patches.

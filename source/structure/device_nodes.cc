@@ -142,11 +142,11 @@ void synchronise(fe::Nodes& nodes, std::vector<int>& bar_of)
 {
   auto packed = nodes.make_vector();
   for (fe::LocalNode node = 0; node < nodes.n_owned; ++node)
-    packed.local_element(3 * node) = 8. * (bar_of[node] + 1) + nodes.held[node];
+    fe::entry(packed, 3 * node) = 8. * (bar_of[node] + 1) + nodes.held[node];
   packed.update_ghost_values();
   for (fe::LocalNode node = nodes.n_owned; node < nodes.n_local; ++node)
   {
-    const int value = std::lround(packed.local_element(3 * node));
+    const int value = std::lround(fe::entry(packed, 3 * node));
     nodes.held[node] = value % 8;
     bar_of[node] = value / 8 - 1;
   }

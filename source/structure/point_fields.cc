@@ -37,7 +37,7 @@ Gradient compute_gradient(const fe::FilmCells& cells,
     for (Direction& column : F)
     {
       for (unsigned int d = 0; d < 3; ++d)
-        column[d] += *slope * positions.local_element(3 * node + d);
+        column[d] += *slope * fe::entry(positions, 3 * node + d);
       slope += 8;
     }
   return F;

@@ -224,11 +224,11 @@ double Probes::evaluate_point(const std::size_t probe,
   for (const auto& [node, weight] : points_[probe])
   {
     const unsigned int entry = 3 * node + description.component;
-    const double x = positions.local_element(entry);
+    const double x = fe::entry(positions, entry);
     const double x_0 =
         structure.nodes().mesh_position[node][description.component];
     value += weight * (description.kind == Kind::velocity
-                           ? velocities->local_element(entry)
+                           ? fe::entry(*velocities, entry)
                        : description.kind == Kind::position ? x
                                                             : x - x_0);
   }
@@ -248,18 +248,17 @@ double Probes::evaluate_bar(const std::size_t probe,
   if (bar.centre < nodes.n_owned)
   {
     if (description.kind == Kind::bar_velocity)
-      value = velocities->local_element(3 * bar.centre + c);
+      value = fe::entry(*velocities, 3 * bar.centre + c);
     else if (description.kind == Kind::bar_displacement)
-      value = positions.local_element(3 * bar.centre + c) -
+      value = fe::entry(positions, 3 * bar.centre + c) -
               nodes.mesh_position[bar.centre][c];
     else
     {
       double square = 0;
       for (unsigned int i = 0; i < 3; ++i)
-        square += std::pow(positions.local_element(3 * bar.director + i), 2);
-      value =
-          positions.local_element(3 * bar.director + c) / std::sqrt(square) -
-          nodes.mesh_position[bar.director][c] / bar.half_length;
+        square += std::pow(fe::entry(positions, 3 * bar.director + i), 2);
+      value = fe::entry(positions, 3 * bar.director + c) / std::sqrt(square) -
+              nodes.mesh_position[bar.director][c] / bar.half_length;
     }
   }
   return dealii::Utilities::MPI::sum(value, structure.communicator());

@@ -22,7 +22,7 @@ fe::NodalVector make_component(const Structure& structure,
   for (const auto node : dof_handler.locally_owned_dofs())
   {
     const fe::LocalNode local = structure.nodes().local(node);
-    values(node) = positions.local_element(3 * local + component) -
+    values(node) = fe::entry(positions, 3 * local + component) -
                    structure.nodes().mesh_position[local][component];
   }
   values.update_ghost_values();

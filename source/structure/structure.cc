@@ -25,13 +25,13 @@ std::size_t Structure::n_free_global() const
 void Structure::restrict(const fe::NodalVector& nodal, double* free) const
 {
   for (std::size_t i = 0; i < free_.size(); ++i)
-    free[i] = nodal.local_element(free_[i]);
+    free[i] = fe::entry(nodal, free_[i]);
 }
 
 void Structure::prolong(const double* free, fe::NodalVector& nodal) const
 {
   for (std::size_t i = 0; i < free_.size(); ++i)
-    nodal.local_element(free_[i]) = free[i];
+    fe::entry(nodal, free_[i]) = free[i];
 }
 
 const fe::NodalVector& Structure::compute_positions(const LoadState& loads,
@@ -40,13 +40,13 @@ const fe::NodalVector& Structure::compute_positions(const LoadState& loads,
   positions_.zero_out_ghost_values();
   for (fe::LocalNode node = 0; node < nodes().n_owned; ++node)
     for (unsigned int c = 0; c < 3; ++c)
-      positions_.local_element(3 * node + c) = nodes().mesh_position[node][c];
+      fe::entry(positions_, 3 * node + c) = nodes().mesh_position[node][c];
   for (const auto& held : device_nodes_.moving)
     if (held.node < nodes().n_owned)
-      positions_.local_element(3 * held.node + held.component) +=
+      fe::entry(positions_, 3 * held.node + held.component) +=
           held.shape * loads.amplitudes[held.support];
   for (std::size_t i = 0; i < free_.size(); ++i)
-    positions_.local_element(free_[i]) += u[i];
+    fe::entry(positions_, free_[i]) += u[i];
   positions_.update_ghost_values();
   fe::distribute_positions(nodes(), positions_);
   return positions_;
@@ -58,7 +58,7 @@ fe::NodalVector Structure::compute_velocities(const LoadState& loads,
   auto velocities = nodes().make_vector();
   for (const auto& held : device_nodes_.moving)
     if (held.node < nodes().n_owned)
-      velocities.local_element(3 * held.node + held.component) +=
+      fe::entry(velocities, 3 * held.node + held.component) +=
           held.shape * loads.amplitude_rates[held.support];
   prolong(v, velocities);
   velocities.update_ghost_values();
@@ -85,12 +85,12 @@ void Structure::add_bar_forces(fe::NodalVector& forces) const
       continue;
     double square = 0;
     for (unsigned int c = 0; c < 3; ++c)
-      square += std::pow(positions_.local_element(3 * bar.director + c), 2);
+      square += std::pow(fe::entry(positions_, 3 * bar.director + c), 2);
     const double tension = 0.5 * bar.length_stiffness *
                            (square / (bar.half_length * bar.half_length) - 1);
     for (unsigned int c = 0; c < 3; ++c)
-      forces.local_element(3 * bar.director + c) -=
-          tension * positions_.local_element(3 * bar.director + c);
+      fe::entry(forces, 3 * bar.director + c) -=
+          tension * fe::entry(positions_, 3 * bar.director + c);
   }
 }
 
@@ -118,22 +118,21 @@ void Structure::compute_forces(const LoadState& loads, const double* u,
                        std::to_string(limit.place[2]) + ") m of the mesh");
   double square = 0;
   for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
-    square += std::pow(forces_.local_element(i), 2);
+    square += std::pow(fe::entry(forces_, i), 2);
   forces_ *= -1;
   for (std::size_t i = 3 * nodes().n_owned; i < 3 * nodes().n_local; ++i)
-    forces_.local_element(i) *= -1;
+    fe::entry(forces_, i) *= -1;
 
   for (unsigned int i = 0; i < pressures_.size(); ++i)
     pressures_[i].pressure = loads.pressures[i];
   fe::add_pressure_forces(*cells_, pressures_, positions_, pressure_forces_);
   for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
   {
-    double external =
-        pressure_forces_.local_element(i) + weight_.local_element(i);
+    double external = fe::entry(pressure_forces_, i) + fe::entry(weight_, i);
     for (unsigned int k = 0; k < edges_.size(); ++k)
-      external += loads.edge_forces[k] * edges_[k].local_element(i);
+      external += loads.edge_forces[k] * fe::entry(edges_[k], i);
     square += external * external;
-    forces_.local_element(i) += external;
+    fe::entry(forces_, i) += external;
   }
   // Forces cancel within a node long before they are collected: the scale of
   // the residual is what the film would pull with if nothing did.
@@ -197,15 +196,15 @@ Powers Structure::compute_powers(const LoadState& loads,
   double work = 0;
   for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
     for (unsigned int k = 0; k < edges_.size(); ++k)
-      work -= loads.edge_rates[k] * edges_[k].local_element(i) *
-              get_displacement(i);
+      work -=
+          loads.edge_rates[k] * fe::entry(edges_[k], i) * get_displacement(i);
   for (const auto& held : device_nodes_.moving)
     if (held.node < nodes().n_owned)
-      work -= forces_.local_element(3 * held.node + held.component) *
-              held.shape * loads.amplitude_rates[held.support];
+      work -= fe::entry(forces_, 3 * held.node + held.component) * held.shape *
+              loads.amplitude_rates[held.support];
   if (velocities)
     for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
-      work += pressure_forces_.local_element(i) * velocities->local_element(i);
+      work += fe::entry(pressure_forces_, i) * fe::entry(*velocities, i);
   powers.work = sum(work);
   powers.dissipation = sum(powers.dissipation);
   for (unsigned int e = 0; e < charges.size(); ++e)
@@ -220,7 +219,7 @@ Powers Structure::compute_powers(const LoadState& loads,
 
 double Structure::get_displacement(const std::size_t entry) const
 {
-  return positions_.local_element(entry) -
+  return fe::entry(positions_, entry) -
          nodes().mesh_position[entry / 3][entry % 3];
 }
 
@@ -231,7 +230,7 @@ Structure::compute_reaction(const unsigned int support) const
   for (const auto node : device_nodes_.of_support[support])
     for (unsigned int c = 0; c < 3; ++c)
       if (device_.supports[support].held[c])
-        reaction[c] -= forces_.local_element(3 * node + c);
+        reaction[c] -= fe::entry(forces_, 3 * node + c);
   for (auto& component : reaction)
     component = sum(component);
   return reaction;
@@ -246,7 +245,7 @@ double Structure::compute_volume(const std::vector<std::string>& groups) const
   fe::add_pressure_forces(*cells_, unit, positions_, forces);
   double volume = 0;
   for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
-    volume += forces.local_element(i) * positions_.local_element(i) / 3;
+    volume += fe::entry(forces, i) * fe::entry(positions_, i) / 3;
   return sum(volume);
 }
 
@@ -261,9 +260,9 @@ Energies Structure::compute_energies(const LoadState& loads, const double* u,
   energies.electric = film.stored - film.at_voltage;
   for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
   {
-    double load = weight_.local_element(i);
+    double load = fe::entry(weight_, i);
     for (unsigned int k = 0; k < edges_.size(); ++k)
-      load += loads.edge_forces[k] * edges_[k].local_element(i);
+      load += loads.edge_forces[k] * fe::entry(edges_[k], i);
     energies.dead_loads -= load * get_displacement(i);
   }
   if (v)

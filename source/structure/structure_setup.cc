@@ -69,7 +69,7 @@ void add_line_load(const fe::ReferenceElement& element,
                           element.line_weights[q] * share;
     for (unsigned int k = 0; k < n; ++k)
       for (unsigned int c = 0; c < 3; ++c)
-        nodal.local_element(3 * cell_nodes[line[k]] + c) +=
+        fe::entry(nodal, 3 * cell_nodes[line[k]] + c) +=
             length * element.line_values[q * n + k] * direction[c];
   }
 }
@@ -178,12 +178,12 @@ void Structure::make_weight()
   auto gravity = nodes().make_vector();
   for (fe::LocalNode node = 0; node < nodes().n_local; ++node)
     for (unsigned int c = 0; c < 3; ++c)
-      gravity.local_element(3 * node + c) = device_.environment.gravity[c];
+      fe::entry(gravity, 3 * node + c) = device_.environment.gravity[c];
   fe::add_mass_product(*cells_, get_densities(), gravity, weight_);
   for (const auto& bar : nodes().bars)
     if (bar.centre < nodes().n_owned)
       for (unsigned int c = 0; c < 3; ++c)
-        weight_.local_element(3 * bar.centre + c) +=
+        fe::entry(weight_, 3 * bar.centre + c) +=
             bar.mass * device_.environment.gravity[c];
 }
 

@@ -32,7 +32,7 @@ void Structure::add_bar_tangent(const fe::TangentRequest& request,
   {
     std::array<double, 3> d;
     for (unsigned int c = 0; c < 3; ++c)
-      d[c] = positions_.local_element(3 * bar.director + c);
+      d[c] = fe::entry(positions_, 3 * bar.director + c);
     return d;
   };
   for (const auto& bar : nodes().bars)
@@ -172,7 +172,7 @@ void Structure::add_force_change(const double alpha, const double* r,
   fe::collect_forces(nodes(), &tangent_positions_, change);
   change.compress(dealii::VectorOperation::add);
   for (std::size_t i = 0; i < free_.size(); ++i)
-    forces[i] -= change.local_element(free_[i]);
+    forces[i] -= fe::entry(change, free_[i]);
 }
 
 void Structure::compute_internal_change(const double alpha, const double* du,
@@ -244,7 +244,7 @@ Structure::compute_support_product(const std::vector<double>& densities,
   auto motion = nodes().make_vector(), product = nodes().make_vector();
   for (const auto& held : device_nodes_.moving)
     if (held.node < nodes().n_owned)
-      motion.local_element(3 * held.node + held.component) +=
+      fe::entry(motion, 3 * held.node + held.component) +=
           held.shape * rates[held.support];
   motion.update_ghost_values();
   fe::distribute_change(nodes(), nullptr, motion);

@@ -54,8 +54,8 @@ Radius compute_radius(structure::Structure& structure, const double* u)
   for (unsigned int node = 0; node < n; ++node)
   {
     const double radius =
-        std::hypot(x.local_element(3 * node), x.local_element(3 * node + 1),
-                   x.local_element(3 * node + 2));
+        std::hypot(fe::entry(x, 3 * node), fe::entry(x, 3 * node + 1),
+                   fe::entry(x, 3 * node + 2));
     sum += radius;
     smallest = std::min(smallest, radius);
     largest = std::max(largest, radius);

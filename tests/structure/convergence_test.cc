@@ -107,7 +107,7 @@ std::vector<double> assemble_forces(const structure::Structure& structure)
       const Vector3 density = compute_force_density(X[0], X[1]);
       for (unsigned int a = 0; a < element.n_nodes; ++a)
         for (unsigned int c = 0; c < 3; ++c)
-          nodal.local_element(3 * cells.cells()[cell].nodes[a] + c) +=
+          fe::entry(nodal, 3 * cells.cells()[cell].nodes[a] + c) +=
               get_area(cells, cell, q) *
               element.values[q * element.n_nodes + a] * density[c];
     }
@@ -133,7 +133,7 @@ double compute_error(const structure::Structure& structure,
         for (unsigned int c = 0; c < 3; ++c)
           error[c] -=
               element.values[q * element.n_nodes + a] *
-              positions.local_element(3 * cells.cells()[cell].nodes[a] + c);
+              fe::entry(positions, 3 * cells.cells()[cell].nodes[a] + c);
       for (const double component : error)
         square += component * component * get_area(cells, cell, q);
     }

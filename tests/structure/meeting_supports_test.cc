@@ -43,7 +43,7 @@ TEST(MeetingSupports, move_their_common_node_once)
     const auto& X = mesh_position[node];
     if (X[0] == 0 && X[1] == 0)
     {
-      EXPECT_NEAR(positions.local_element(3 * node), -.06, 1e-16);
+      EXPECT_NEAR(fe::entry(positions, 3 * node), -.06, 1e-16);
     }
   }
 }

@@ -68,7 +68,7 @@ Positions get_positions(structure::Structure& structure,
     for (unsigned int c = 0; c < 3; ++c)
     {
       key[c] = std::lround(nodes.mesh_position[node][c] * 1e9);
-      value[c] = x.local_element(3 * node + c);
+      value[c] = fe::entry(x, 3 * node + c);
     }
     positions[key] = value;
   }

@@ -13,6 +13,19 @@ using GlobalNode = unsigned int;
 using LocalNode = unsigned int;
 using NodalVector = dealii::LinearAlgebra::distributed::Vector<double>;
 
+/// Entry of a nodal vector by local index, ghosts included. deal.II's own
+/// access to ghosts insists that they were imported; here they may also be this
+/// rank's share of a sum that is not compressed yet.
+inline double entry(const NodalVector& vector, const std::size_t index)
+{
+  return vector.begin()[index];
+}
+
+inline double& entry(NodalVector& vector, const std::size_t index)
+{
+  return vector.begin()[index];
+}
+
 /// A node whose position is the weighted mean of others (hanging).
 struct HangingNode
 {
