@@ -154,11 +154,6 @@ class Packages(DoorTest):
         self.world.note("blas", "/usr/lib/blas/libblas.so.3")
         self.assertIn("BLAS in use is /usr/lib/blas", self.world.call("run").stderr)
 
-    def test_render_alone_asks_for_paraview(self):
-        self.build()
-        self.assertNotIn("paraview", self.world.call("run").stderr)
-        self.assertIn("  paraview\n", self.world.call("render", "DIR").stderr)
-
     def test_other_systems_are_refused_with_what_they_need(self):
         self.world.remove_tools("apt-get", "cmake")
         result = self.expect(2, self.world.call("run"))
