@@ -1,9 +1,9 @@
 // Air drag on a film that its supports carry along.
-#include "structure/devices.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "structure/devices.h"
 
 namespace taut
 {
