@@ -134,6 +134,9 @@ void FilmRun::write(const double time, const double* state, const bool is_last)
 void FilmRun::write_event(const time::Event& event, const double* state)
 {
   const auto& description = system_->structure().device().events[event.watch];
+  // What was active when the run was cut has been reported before.
+  if (event.at_start && resumed_ && !description.fatal)
+    return;
   const auto report = watches_.report(event.watch, event.time, state);
   EventRecord record;
   record.time = event.time;
