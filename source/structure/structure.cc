@@ -7,6 +7,26 @@
 
 namespace taut::structure
 {
+namespace
+{
+/// Throws on every rank, with the place of the worst, if any rank has a spring
+/// beyond its limit.
+void refuse_beyond_limit(const fe::LimitReport& limit, const MPI_Comm comm)
+{
+  const double margin = std::isnan(limit.margin) ? -1. : limit.margin;
+  if (dealii::Utilities::MPI::min(margin, comm) > 0)
+    return;
+  const auto all = dealii::Utilities::MPI::all_gather(
+      comm, std::array<double, 4>{
+                {margin, limit.place[0], limit.place[1], limit.place[2]}});
+  const auto& worst = *std::min_element(all.begin(), all.end());
+  throw StepRejected("a spring is stretched beyond its limit near (" +
+                     std::to_string(worst[1]) + ", " +
+                     std::to_string(worst[2]) + ", " +
+                     std::to_string(worst[3]) + ") m of the mesh");
+}
+} // namespace
+
 MPI_Comm Structure::communicator() const
 {
   return nodes().partitioner->get_mpi_communicator();
@@ -109,34 +129,26 @@ void Structure::compute_forces(const LoadState& loads, const double* u,
   const fe::LimitReport limit =
       fe::add_internal_forces(*cells_, laws, positions_, internal, forces_,
                               rates ? rates : unused_rates.data(), powers_);
-  const double margin = dealii::Utilities::MPI::min(
-      std::isnan(limit.margin) ? -1. : limit.margin, communicator());
-  if (!(margin > 0))
-    throw StepRejected("a spring is stretched beyond its limit near (" +
-                       std::to_string(limit.place[0]) + ", " +
-                       std::to_string(limit.place[1]) + ", " +
-                       std::to_string(limit.place[2]) + ") m of the mesh");
-  double square = 0;
-  for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
-    square += std::pow(fe::entry(forces_, i), 2);
-  forces_ *= -1;
-  for (std::size_t i = 3 * nodes().n_owned; i < 3 * nodes().n_local; ++i)
-    fe::entry(forces_, i) *= -1;
-
+  refuse_beyond_limit(limit, communicator());
   for (unsigned int i = 0; i < pressures_.size(); ++i)
     pressures_[i].pressure = loads.pressures[i];
   fe::add_pressure_forces(*cells_, pressures_, positions_, pressure_forces_);
+  double square = 0;
   for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
   {
     double external = fe::entry(pressure_forces_, i) + fe::entry(weight_, i);
     for (unsigned int k = 0; k < edges_.size(); ++k)
       external += loads.edge_forces[k] * fe::entry(edges_[k], i);
-    square += external * external;
-    fe::entry(forces_, i) += external;
+    double& force = fe::entry(forces_, i);
+    square += force * force + external * external;
+    force = external - force;
   }
+  square = sum(square);
+  if (!std::isfinite(square))
+    throw StepRejected("the forces of the film are no numbers");
   // Forces cancel within a node long before they are collected: the scale of
   // the residual is what the film would pull with if nothing did.
-  internal_force_norm_ = std::max(std::sqrt(sum(square)), least_force_);
+  internal_force_norm_ = std::max(std::sqrt(square), least_force_);
   fe::collect_hanging_forces(nodes(), forces_);
   if (!nodes().bars.empty())
     bar_node_forces_.assign(forces_.begin(),

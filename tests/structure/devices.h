@@ -136,6 +136,39 @@ inline double make_voltage(const structure::Film& film, const double field,
   return field * film.thickness * std::sqrt(modulus / permittivity);
 }
 
+inline structure::Pressure make_pressure(const std::string& group,
+                                         const Signal& signal)
+{
+  structure::Pressure pressure;
+  pressure.name = "pressure on " + group;
+  pressure.groups = {group};
+  pressure.pressure = signal;
+  return pressure;
+}
+
+/// A bar that is free to move and to turn.
+inline structure::RigidBar make_bar(const std::string& group, const double mass)
+{
+  structure::RigidBar bar;
+  bar.name = "bar on " + group;
+  bar.groups = {group};
+  bar.mass = mass;
+  return bar;
+}
+
+/// 4 by 3 cells, 40 mm by 30 mm, bent out of its plane but for the line
+/// `middle`, where a bar may lie.
+inline fe::MeshData make_bent_sheet(const unsigned int order)
+{
+  return make_grid(4, 3, order,
+                   [](const double xi, const double eta)
+                   {
+                     const double bulge = (xi - .5) * (eta - .3);
+                     return fe::Coordinates{.04 * xi + .003 * bulge, .03 * eta,
+                                            .004 * bulge * (1 + xi)};
+                   });
+}
+
 /// A device with its mesh, triangulation and structure.
 struct Model
 {

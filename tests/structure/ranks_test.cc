@@ -29,16 +29,8 @@ std::unique_ptr<testing::Model> make_resonator(const MPI_Comm communicator)
       testing::make_electrode("left", Signal::sine(2500, 1000, 20, 0))};
   device.supports = {testing::make_support("west", {{true, true, true}}),
                      testing::make_support("east", {{true, true, true}})};
-  structure::Pressure pressure;
-  pressure.name = "below";
-  pressure.groups = {"film"};
-  pressure.pressure = Signal::constant(10);
-  device.pressures = {pressure};
-  structure::RigidBar bar;
-  bar.name = "bar";
-  bar.groups = {"middle"};
-  bar.mass = 1e-2;
-  device.bars = {bar};
+  device.pressures = {testing::make_pressure("film", Signal::constant(10))};
+  device.bars = {testing::make_bar("middle", 1e-2)};
   device.environment.air_drag = 100;
   return std::make_unique<testing::Model>(
       device, testing::make_rectangle(4, 4, 2, .06, .04), 0,

@@ -37,25 +37,9 @@ std::unique_ptr<testing::Model> make_everything(const unsigned int degree)
   device.electrodes = {testing::make_electrode("left", Signal::constant(3000))};
   device.supports = {testing::make_support("west", {{true, true, true}}),
                      testing::make_support("east", {{false, true, true}})};
-  structure::Pressure pressure;
-  pressure.name = "below";
-  pressure.groups = {"film"};
-  pressure.pressure = Signal::constant(20);
-  device.pressures = {pressure};
-  structure::RigidBar bar;
-  bar.name = "bar";
-  bar.groups = {"middle"};
-  bar.mass = 1e-2;
-  device.bars = {bar};
-  const auto mesh = testing::make_grid(
-      4, 3, degree,
-      [](const double xi, const double eta)
-      {
-        // Straight at xi = 1/2, where the bar lies.
-        const double bulge = (xi - .5) * (eta - .3);
-        return fe::Coordinates{.04 * xi + .003 * bulge, .03 * eta,
-                               .004 * bulge * (1 + xi)};
-      });
+  device.pressures = {testing::make_pressure("film", Signal::constant(20))};
+  device.bars = {testing::make_bar("middle", 1e-2)};
+  const auto mesh = testing::make_bent_sheet(degree);
   return std::make_unique<testing::Model>(
       device, mesh, 0,
       [](fe::Triangulation& triangulation)
