@@ -47,7 +47,7 @@ void declare_film(Section& section, Film& film, std::string& material)
   section.optional("Axis", film.axis, three_numbers(any(), "dimensionless"),
                    "direction of the first pre-stretch, of any length, "
                    "projected into the film");
-  section.optional("Temperature", film.temperature, number(positive(), "K"),
+  section.optional("Temperature", film.temperature, signal("K"),
                    "temperature of the film");
 }
 

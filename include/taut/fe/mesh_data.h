@@ -59,6 +59,9 @@ struct MeshPoint
   }
 };
 
+/// Adds the quadrilateral of a mesh that has only lines.
+void add_empty_surface(struct MeshData& mesh);
+
 /// A surface mesh of quadrilaterals as it was read, before any refinement. It
 /// is read on one rank and broadcast.
 struct MeshData
@@ -69,13 +72,19 @@ struct MeshData
   std::vector<Coordinates> middle_points;
   std::vector<MeshQuad> quads;
   std::vector<MeshLine> lines;
+  /// Lines of groups that are no edge of a quadrilateral.
+  std::vector<MeshLine> free_lines;
   std::vector<MeshPoint> points;
   MeshGroups groups;
+  /// There is no surface: the one quadrilateral carries nothing and is there
+  /// because a triangulation cannot be empty.
+  bool only_lines = false;
 
   template <typename Archive>
   void serialize(Archive& archive, const unsigned int)
   {
-    archive& order& vertices& middle_points& quads& lines& points& groups;
+    archive& order& vertices& middle_points& quads& lines& free_lines& points&
+        groups& only_lines;
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <taut/base/signal.h>
 #include <taut/material/elastomer.h>
+#include <taut/material/temperature_law.h>
 
 #include <array>
 #include <limits>
@@ -53,8 +54,14 @@ struct Film : Named
   /// Direction of the first pre-stretch and first material axis, projected
   /// into the film's plane; dimensionless, any length.
   std::array<double, 3> axis{{1, 0, 0}};
-  /// Temperature (K).
-  double temperature = 293.15;
+  /// Temperature (K), uniform.
+  Signal temperature = Signal::constant(293.15);
+  material::ThermalLaws thermal;
+  /// In compression the film wrinkles or goes slack instead of carrying it.
+  bool tension_field = true;
+  /// Modulus (Pa) of fibres across `axis` that hold the width of the framed
+  /// film; 0 = none. They carry compression.
+  double fibre_modulus = 0;
 };
 
 struct Electrode : Named
@@ -68,8 +75,17 @@ struct Electrode : Named
 /// Holds components of the position over points, lines or surfaces.
 struct Support : Named
 {
+  enum class Target
+  {
+    all,
+    film, ///< only nodes of films
+    frame ///< only nodes of frames and rigid bodies
+  };
   std::vector<std::string> groups;
+  Target target = Target::all;
   std::array<bool, 3> held{{true, true, true}};
+  /// Components of the rotation vector of frame nodes that stay zero.
+  std::array<bool, 3> held_rotations{{false, false, false}};
   /// Prescribed displacement (m) = shape(x, y, z) * amplitude(t); the
   /// expression is muParser text in x, y, z of the mesh (m).
   std::array<std::string, 3> shape{{"0", "0", "0"}};
@@ -106,6 +122,101 @@ struct RigidBar : Named
   bool rotates = true;
 };
 
+/// The cross-section of a beam. Its axes: 1 along the beam, 3 along the
+/// frame's `normal` (the thickness), 2 = 3 x 1 (the width).
+struct BeamSection
+{
+  double axial_stiffness = 0;                      ///< E A (N)
+  std::array<double, 2> shear_stiffness{{0, 0}};   ///< G A along 2, 3 (N)
+  double torsional_stiffness = 0;                  ///< G J (N m^2)
+  std::array<double, 2> bending_stiffness{{0, 0}}; ///< E I about 2, 3 (N m^2)
+  double mass_per_length = 0;                      ///< rho A (kg/m)
+  /// Of mass per length about 1, 2, 3 (kg m).
+  std::array<double, 3> rotary_inertia{{0, 0, 0}};
+  /// Along 3; for the default offset of a film and for strains (m).
+  double thickness = 0;
+};
+
+/// A rectangle; shear stiffness with the factor 5/6, torsion constant of
+/// Saint-Venant.
+struct RectangularSection
+{
+  double width = 0;         ///< along 2 (m)
+  double thickness = 0;     ///< along 3 (m)
+  double young_modulus = 0; ///< (Pa)
+  double poisson_ratio = 0.4;
+  double density = 0; ///< (kg/m^3)
+};
+BeamSection make_section(const RectangularSection& rectangle);
+
+/// Geometrically exact beams along lines of the mesh, with or without a film.
+/// Frames that meet in a node are joined rigidly there unless a Joint says
+/// otherwise.
+struct Frame : Named
+{
+  enum class Attachment
+  {
+    along,   ///< the film follows the frame wherever it touches its lines
+    nowhere, ///< frame and film only share places
+    at       ///< the film follows at `attached_at` only
+  };
+  /// Physical lines, edges of films or lines of their own.
+  std::vector<std::string> groups;
+  BeamSection section;
+  /// Direction of the section's axis 3, projected across the line.
+  std::array<double, 3> normal{{0, 0, 1}};
+  Attachment attachment = Attachment::along;
+  /// Physical points or lines.
+  std::vector<std::string> attached_at;
+  /// From the beam's axis to the film along `normal` (m). The mesh holds the
+  /// film's place: the axis lies at - offset from it.
+  double offset = 0;
+  /// Temperature (K) and the law of all stiffnesses.
+  Signal temperature = Signal::constant(293.15);
+  material::TemperatureLaw modulus_law;
+  /// Rayleigh damping: forces mass_damping M v (1/s) and stresses
+  /// stiffness_damping C strain rate (s, Kelvin-Voigt).
+  double mass_damping = 0;
+  double stiffness_damping = 0;
+};
+
+/// Frames that meet at points turn independently there.
+struct Hinge : Named
+{
+  std::vector<std::string> groups; ///< physical points
+};
+
+/// All nodes of films and frames in the groups move as one rigid body.
+struct RigidBody : Named
+{
+  std::vector<std::string> groups; ///< points or lines, not of one place
+  /// Centre of mass (m); by default the mean of its nodes.
+  std::optional<std::array<double, 3>> centre;
+  double mass = 0; ///< (kg)
+  /// About x, y, z of the mesh through the centre (kg m^2).
+  std::array<double, 3> rotary_inertia{{0, 0, 0}};
+};
+
+/// Mass and rotary inertia added to nodes of frames or, without inertia, films.
+struct PointMass : Named
+{
+  std::vector<std::string> groups; ///< physical points; each gets all of it
+  double mass = 0;                 ///< (kg)
+  std::array<double, 3> rotary_inertia{{0, 0, 0}}; ///< (kg m^2), x, y, z
+};
+
+/// Force and moment on each point of the groups.
+struct PointLoad : Named
+{
+  std::vector<std::string> groups; ///< physical points
+  std::array<double, 3> force_direction{{0, 0, 0}};
+  Signal force; ///< (N)
+  std::array<double, 3> moment_direction{{0, 0, 0}};
+  Signal moment; ///< (N m), on frames only
+  /// Turns with the node of the frame.
+  bool follower = false;
+};
+
 struct Probe : Named
 {
   enum class Kind
@@ -124,10 +235,18 @@ struct Probe : Named
     mean_stress,          ///< nominal stress of a film along 0 or 1 (Pa)
     min_principal_stress, ///< smallest true principal stress of a film (Pa)
     max_true_field,       ///< of a film (V/m)
+    rotation,             ///< of a frame at a point, about a fixed axis (rad)
+    half_angle,           ///< between the sections at two points (rad)
+    distance,             ///< between two points (m)
+    frame_force,          ///< of a frame at a point, section axes (N)
+    frame_moment,         ///< of a frame at a point, section axes (N m)
+    frame_strain,         ///< largest of a frame, of its faces (dimensionless)
+    temperature,          ///< of a film or frame (K)
     volume ///< enclosed between surface groups and z = 0 plane (m^3)
   };
   Kind kind = Kind::displacement;
-  /// Name of the bar, electrode, support or film; or physical groups.
+  /// Name of the bar, electrode, support, film or frame; or physical groups,
+  /// of which half_angle and distance take two points.
   std::string of;
   /// Coordinates in the mesh (m) for point probes without `of`.
   std::array<double, 3> point{{0, 0, 0}};
@@ -140,6 +259,8 @@ struct EventDescription : Named
   enum class Kind
   {
     tension_loss, ///< smaller principal stress below `threshold` (Pa)
+    wrinkling,    ///< tension is lost in one direction
+    slackness,    ///< tension is lost in both
     breakdown,    ///< true field above the strength of the film
     probe_above,  ///< probe rises above threshold
     probe_below   ///< probe falls below threshold
@@ -184,6 +305,11 @@ struct Device
   std::vector<Electrode> electrodes;
   std::vector<Support> supports;
   std::vector<RigidBar> bars;
+  std::vector<Frame> frames;
+  std::vector<Hinge> hinges;
+  std::vector<RigidBody> bodies;
+  std::vector<PointMass> masses;
+  std::vector<PointLoad> point_loads;
   std::vector<Pressure> pressures;
   std::vector<EdgeLoad> edge_loads;
   std::vector<Probe> probes;

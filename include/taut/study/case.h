@@ -32,8 +32,35 @@ struct CheckpointDescription
   double every_minutes = 10;
 };
 
+/// How a film case begins.
+enum class Shape
+{
+  meshed,      ///< positions of the mesh, at rest
+  equilibrium, ///< the equilibrium next to them
+  rest         ///< the stable shape into which a stretched film bends its frame
+};
+
+/// The way to a rest shape: the frames start stiffer than they are and soften
+/// to their own stiffness, while a small load across them, which has vanished
+/// at the end, decides to which side they bend.
+struct RestShapeDescription
+{
+  /// To which side (dimensionless, any length).
+  std::array<double, 3> direction{{0, 0, 1}};
+  /// Of the small load, relative to what bends the frames by their length.
+  double perturbation = 1e-2;
+  /// The frames start so many times stiffer.
+  double first_stiffness = 20;
+  /// Steps of the path, at least.
+  unsigned int steps = 8;
+  /// Also finds the shape on the other side and reports it.
+  bool both_branches = false;
+};
+
 struct ProcedureDescription
 {
+  Shape shape = Shape::equilibrium;
+  RestShapeDescription rest_shape;
   structure::Analysis analysis = structure::Analysis::transient;
   structure::Start start = structure::Start::relaxed;
   double start_time = 0; ///< (s)
