@@ -24,6 +24,8 @@ public:
   void prepare(double load, const double* u) override;
   void solve(const double* r, double* d) override;
   double reference_force() const override;
+  double round_off_force() const override;
+  bool takes_full_steps() const override;
 
 private:
   Structure& structure_;
