@@ -61,11 +61,12 @@ struct EquilibriumStatistics
   double final_residual = 0;
 };
 
-/// Newton with line search, unless the problem takes full steps, (KINSOL) from `u`, which is overwritten only on
-/// success. Errors: StepRejected if no convergence or an inadmissible state
-/// that the line search cannot avoid (the message says which and how far it
-/// came); SolverFailed if the system itself failed. The residual is evaluated
-/// again after the solve and must meet the tolerance.
+/// Newton with line search, unless the problem takes full steps, (KINSOL) from
+/// `u`, which is overwritten only on success. Errors: StepRejected if no
+/// convergence or an inadmissible state that the line search cannot avoid (the
+/// message says which and how far it came); SolverFailed if the system itself
+/// failed. The residual is evaluated again after the solve and must meet the
+/// tolerance.
 EquilibriumStatistics find_equilibrium(EquilibriumProblem& problem, double load,
                                        double* u,
                                        const EquilibriumOptions& options);
