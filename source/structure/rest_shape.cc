@@ -66,6 +66,13 @@ public:
   {
     return equilibrium_.round_off_force();
   }
+  void check_equilibrium(double /*way*/, const double* /*u*/) override
+  {
+    // The last tangent was taken one iteration before the equilibrium. A long
+    // step lands on the branch that stays flat, beyond the threshold.
+    if (structure_.count_negative_eigenvalues() > 0)
+      throw StepRejected("the shape is unstable");
+  }
   bool takes_full_steps() const override
   {
     return equilibrium_.takes_full_steps();
@@ -74,10 +81,13 @@ public:
 private:
   void enter(const double way)
   {
+    // The load comes, the frames soften, the load goes.
+    const double stiffening =
+        std::pow(first_stiffness_, std::max(0., 1 - 2 * way));
     auto load = load_;
     for (double& component : load)
-      component *= 1 - way;
-    structure_.set_rest_path(std::pow(first_stiffness_, 1 - way), load);
+      component *= stiffening * std::min({6 * way, 1., 2 * (1 - way)});
+    structure_.set_rest_path(stiffening, load);
   }
 
   /// 8 EI/L^3 (N/m) of the most flexible frame.
@@ -114,19 +124,29 @@ RestShape find_rest_shape(Structure& structure, LoadHistory& history,
     ++shape.statistics.factorisations;
     return structure.count_negative_eigenvalues();
   };
+  std::vector<double> bent(u, u + equilibrium.n_unknowns());
+  const auto flat =
+      time::find_equilibrium(equilibrium, time, u, options.newton);
   shape.flat_negative_eigenvalues = count_negative();
+  shape.statistics.factorisations += flat.factorisations;
+  std::copy(bent.begin(), bent.end(), u);
   {
     RestPath path(structure, equilibrium, time, options);
     time::PathOptions steps;
     steps.newton = options.newton;
+    // Newton either converges soon or not at all; a shorter step is cheaper.
+    steps.newton.max_iterations = 12;
+    steps.newton.max_step = 0.4 * compute_extent(structure.mesh());
     steps.first_step = 1. / options.steps;
     steps.largest_step = 2. / options.steps;
     steps.smallest_step = 1e-4;
     const auto first = time::find_equilibrium(path, 0, u, steps.newton);
     const auto rest =
         time::follow_path(path, 0, 1, u, steps, [](double, const double*) {});
-    shape.statistics.iterations = first.iterations + rest.iterations;
-    shape.statistics.residuals = first.residuals + rest.residuals;
+    shape.statistics.iterations =
+        flat.iterations + first.iterations + rest.iterations;
+    shape.statistics.residuals =
+        flat.residuals + first.residuals + rest.residuals;
     shape.statistics.factorisations += path.n_factorisations();
     shape.statistics.final_residual = rest.final_residual;
   }

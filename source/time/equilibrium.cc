@@ -285,6 +285,7 @@ EquilibriumStatistics find_equilibrium(EquilibriumProblem& problem,
   guarded.guard().rethrow();
   if (code != 0 || !guarded.is_converged())
     reject(guarded, flag);
+  problem.check_equilibrium(load, trial.data());
   std::copy(trial.begin(), trial.end(), u);
   guarded.statistics.final_residual = guarded.residual_norm();
   return guarded.statistics;

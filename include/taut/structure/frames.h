@@ -43,6 +43,10 @@ public:
   {
     stiffening_ = factor;
   }
+  double stiffening() const
+  {
+    return stiffening_;
+  }
   fe::BeamStiffness get_stiffness(unsigned int frame,
                                   const LoadState& loads) const;
 

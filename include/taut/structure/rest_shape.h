@@ -10,20 +10,20 @@ namespace taut::structure
 ///
 /// The flat state is an equilibrium, too, and an unstable one. So the frames
 /// start `first_stiffness` times stiffer, where the flat state is stable, and
-/// soften to their own stiffness (by equal factors in equal steps), while a
-/// dead load along them, which fades out on the way and has vanished at the
-/// end, decides to which side they bend. The end of the path is an equilibrium
-/// of the device as it is.
+/// soften to their own stiffness under a dead load along them, which decides to
+/// which side they bend and which is taken away again in the second half of the
+/// path. The end of the path is an equilibrium of the device as it is.
 struct RestPathOptions
 {
   /// Of the load (any length > 0); the opposite gives the other branch.
   std::array<double, 3> direction{{0, 0, 1}};
-  /// Load at the start: 8 EI/L^3 times this, which would bend a cantilever of
-  /// the frames' length L by this share of it.
-  double perturbation = 1e-2;
+  /// Load at most: 8 EI/L^3 times this, with the stiffened EI and the extent L
+  /// of the device. By beam theory a load of 1 bends a cantilever of length L
+  /// by L, one of half the length by L/16.
+  double perturbation = 10;
   double first_stiffness = 20;
   /// Steps of the path, at least.
-  unsigned int steps = 8;
+  unsigned int steps = 6;
   time::EquilibriumOptions newton;
 };
 

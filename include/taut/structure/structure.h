@@ -134,7 +134,7 @@ public:
   /// positions (N).
   double round_off_force() const
   {
-    return round_off_force_;
+    return round_off_force_ * frames_->stiffening();
   }
   /// Capacitance (F) and charge (C) of every electrode at the last
   /// compute_forces.

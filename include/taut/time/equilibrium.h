@@ -27,6 +27,9 @@ public:
   /// internal nodal forces before they cancel, at the state of the last
   /// compute_residual. Positive.
   virtual double reference_force() const = 0;
+  /// Called with a state that has converged; throws StepRejected if it is not
+  /// wanted, an unstable one on a path along stable ones, for instance.
+  virtual void check_equilibrium(double /*load*/, const double* /*u*/) {}
   /// What round-off leaves of forces that cancel within an element (N): a
   /// residual below it counts as zero.
   virtual double round_off_force() const
