@@ -148,6 +148,17 @@ struct Influence
   std::array<double, 2> factor;
 };
 
+/// weight times the change of H's rows, that is columns, with an unknown.
+BeamGradient combine_rows(const BeamHessian& H, const Influence& influence,
+                          const double weight)
+{
+  BeamGradient sum{};
+  for (unsigned int k = 0; k < influence.n; ++k)
+    for (unsigned int c = 0; c < 11; ++c)
+      sum[c] += weight * influence.factor[k] * H[influence.number[k]][c];
+  return sum;
+}
+
 std::vector<Influence> make_influences(const unsigned int n_nodes,
                                        const std::array<double, 3>& values,
                                        const std::array<double, 3>& derivatives)
@@ -295,16 +306,14 @@ std::vector<double> BeamElement::compute_unit_stiffness(
     add_material_part(point.axes, stiffness, state, H);
     const auto influences =
         make_influences(n_nodes_, point.values, point.derivatives);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int k = 0; k < influences[i].n; ++k)
-      {
-        const double row = point.weight * influences[i].factor[k];
-        const BeamGradient& of_row = H[influences[i].number[k]];
-        for (unsigned int j = 0; j < n; ++j)
-          for (unsigned int l = 0; l < influences[j].n; ++l)
-            matrix[i * n + j] +=
-                row * of_row[influences[j].number[l]] * influences[j].factor[l];
-      }
+    for (unsigned int j = 0; j < n; ++j)
+    {
+      const BeamGradient column = combine_rows(H, influences[j], point.weight);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int k = 0; k < influences[i].n; ++k)
+          matrix[i * n + j] +=
+              influences[i].factor[k] * column[influences[i].number[k]];
+    }
   }
   return matrix;
 }
