@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "beam_quaternions.h"
 #include "beam_strain.h"
 
 namespace taut::fe
@@ -74,12 +75,6 @@ double norm(const Vector3& v)
   return std::sqrt(dot(v, v));
 }
 
-/// |Q| of the four numbers.
-double norm(const double* Q)
-{
-  return length(Quaternion{Q[0], Q[1], Q[2], Q[3]});
-}
-
 Vector3 scale(const double factor, const Vector3& v)
 {
   return {factor * v[0], factor * v[1], factor * v[2]};
@@ -142,62 +137,6 @@ void add_material_part(const Axes& axes, const BeamStiffness& stiffness,
     for (unsigned int j = 0; j < 11; ++j)
       for (unsigned int k = 0; k < 11; ++k)
         H[j][k] += stiffness[i] * B[j] * B[k];
-  }
-}
-
-/// The unknowns with q = Q/|Q| in the place of every Q.
-std::vector<double> normalise(const unsigned int n_nodes,
-                              const double* unknowns)
-{
-  std::vector<double> unit(unknowns, unknowns + 7 * n_nodes);
-  for (unsigned int a = 0; a < n_nodes; ++a)
-  {
-    const double inverse = 1 / norm(&unit[3 * n_nodes + 4 * a]);
-    for (unsigned int i = 0; i < 4; ++i)
-      unit[3 * n_nodes + 4 * a + i] *= inverse;
-  }
-  return unit;
-}
-
-/// The derivative of every q by its Q, (1 - q (x) q)/|Q|, times the four
-/// numbers of every node that lie `stride` apart.
-void project(const unsigned int n_nodes, const std::vector<double>& unit,
-             const double* unknowns, double* numbers,
-             const std::size_t stride = 1)
-{
-  for (unsigned int a = 0; a < n_nodes; ++a)
-  {
-    const unsigned int first = 3 * n_nodes + 4 * a;
-    const double inverse = 1 / norm(unknowns + first);
-    double along = 0;
-    for (unsigned int i = 0; i < 4; ++i)
-      along += unit[first + i] * numbers[(first + i) * stride];
-    for (unsigned int i = 0; i < 4; ++i)
-    {
-      double& number = numbers[(first + i) * stride];
-      number = inverse * (number - along * unit[first + i]);
-    }
-  }
-}
-
-/// matrix += second derivative of every q by its Q, contracted with the forces
-/// g on q: -(q (x) g + g (x) q + (g.q)(1 - 3 q (x) q))/|Q|^2.
-void add_curvature(const unsigned int n_nodes, const std::vector<double>& unit,
-                   const double* unknowns, const std::vector<double>& forces,
-                   double* matrix)
-{
-  for (unsigned int a = 0; a < n_nodes; ++a)
-  {
-    const unsigned int first = 3 * n_nodes + 4 * a;
-    const double* q = &unit[first];
-    const double* g = &forces[first];
-    const double scale = 1 / std::pow(norm(unknowns + first), 2);
-    const double gq = g[0] * q[0] + g[1] * q[1] + g[2] * q[2] + g[3] * q[3];
-    for (unsigned int i = 0; i < 4; ++i)
-      for (unsigned int j = 0; j < 4; ++j)
-        matrix[(first + i) * 7 * n_nodes + first + j] -=
-            scale * (q[i] * g[j] + g[i] * q[j] +
-                     gq * ((i == j ? 1 : 0) - 3 * q[i] * q[j]));
   }
 }
 

@@ -178,7 +178,7 @@ Probes::Point Probes::find_point(const Probe& probe) const
   const auto all =
       dealii::Utilities::MPI::all_gather(structure.communicator(), nearest);
   const auto owner = std::min_element(all.begin(), all.end());
-  if (*owner > 1e-6 * structure.mesh_size())
+  if (*owner > 1e-6 * compute_extent(structure.mesh()))
     refuse(probe, "no node of the mesh lies at its point; the nearest is " +
                       std::to_string(*owner) +
                       " m away: put a point of the "
