@@ -107,6 +107,18 @@ bool has_rotations(const structure::Device& device)
   return !device.frames.empty() || !device.bodies.empty();
 }
 
+/// A support acts on something that the case has.
+void check_target(const CaseText& text, const Support& support,
+                  const structure::Device& device)
+{
+  const SectionPath section = {"Support " + support.name};
+  if (support.target == Support::Target::film && device.films.empty())
+    text.refuse(section, "Acts on", "the case has no film");
+  if (support.target == Support::Target::frame && !has_rotations(device))
+    text.refuse(section, "Acts on",
+                "the case has neither a frame nor a rigid body");
+}
+
 void check_rotations(const CaseText& text, const Support& support,
                      const structure::Device& device)
 {
@@ -219,7 +231,10 @@ void check_frames(const CaseText& text, const CaseDraft& draft)
     text.refuse({"Hinge " + device.hinges[0].name}, "",
                 "the case has no frame that a hinge could part");
   for (const Support& support : device.supports)
+  {
+    check_target(text, support, device);
     check_rotations(text, support, device);
+  }
   for (const structure::PointMass& mass : device.masses)
     check_point_mass(text, mass, device);
   for (const structure::PointLoad& load : device.point_loads)

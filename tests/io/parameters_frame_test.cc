@@ -421,6 +421,10 @@ const Refusal without_film[] = {
     {"statics without support", "set Start shape = meshed",
      "set Start shape = meshed\n  set Analysis = equilibrium", nullptr, "",
      "drift freely"},
+    {"support of films", "subsection Procedure",
+     "subsection Support end\n  set Groups = end\n  set Acts on = "
+     "film\nend\nsubsection Procedure",
+     "set Acts on", "Support end/Acts on", "no film"},
     {"no film to attach", "  set Density = 0",
      "  set Density = 0\n  set Attachment = at\n  set Attached at = end",
      "set Attachment", "Frame beam/Attachment", "no film"}};
@@ -455,6 +459,9 @@ const Refusal without_frame[] = {
     {"held rotations", "  set Groups = edge",
      "  set Groups = edge\n  set Held rotations = x", "set Held",
      "Support edge/Held rotations", "neither a frame nor a rigid body"},
+    {"support of frames", "  set Groups = edge",
+     "  set Groups = edge\n  set Acts on = frame", "set Acts on",
+     "Support edge/Acts on", "neither a frame nor a rigid body"},
     {"rotary inertia", "subsection Support edge",
      "subsection Point mass a\n  set Points = p\n  set Mass = 1\n  set Rotary "
      "inertia = 1, 1, 1\nend\nsubsection Support edge",
