@@ -257,19 +257,21 @@ void set_relaxed(const FilmCells& cells, const NodalVector& positions,
   const unsigned int n = cells.element().n_nodes;
   const auto metric = compute_metric(cells, positions);
   for (unsigned int cell = 0; cell < cells.cells().size(); ++cell)
+  {
+    const auto& networks =
+        cells.films()[cells.cells()[cell].film].elastomer->networks;
+    double* A = internal + cells.first_internal(cell);
     for (unsigned int q = 0; q < n; ++q)
-    {
-      const auto& [xx, yy, xy] = metric[cell * n + q];
-      const double det = xx * yy - xy * xy;
-      double* A = internal + cells.first_internal(cell) +
-                  3ul * q * cells.n_networks(cell);
-      for (unsigned int m = 0; m < cells.n_networks(cell); ++m)
+      for (const material::Network& network : networks)
       {
-        A[3 * m] = yy / det;
-        A[3 * m + 1] = xx / det;
-        A[3 * m + 2] = -xy / det;
+        const auto& [xx, yy, xy] = metric[cell * n + q];
+        const auto at_rest = material::relaxed_internal(
+            network, material::SymmetricTensor2<double>{xx, yy, xy});
+        *A++ = at_rest.xx;
+        *A++ = at_rest.yy;
+        *A++ = at_rest.xy;
       }
-    }
+  }
 }
 
 void set_unrelaxed(const FilmCells& cells, double* internal)

@@ -71,11 +71,11 @@ void check_pre_stretch(const CaseText& text, const Film& film,
   const double first = film.pre_stretch[0], second = film.pre_stretch[1];
   const material::SymmetricTensor2<double> C{first * first, second * second, 0};
   const material::SymmetricTensor2<double> strained{1, 1, 0};
-  const material::SymmetricTensor2<double> at_rest =
-      material::relaxed_internal(C);
-  const std::vector<material::SymmetricTensor2<double>> internal(
-      film.material.networks.size(),
-      start == structure::Start::unrelaxed ? strained : at_rest);
+  std::vector<material::SymmetricTensor2<double>> internal;
+  for (const material::Network& network : film.material.networks)
+    internal.push_back(start == structure::Start::unrelaxed
+                           ? strained
+                           : material::relaxed_internal(network, C));
   if (material::limit_margin(film.material, C, internal.data()) > 0)
     return;
   text.refuse({"Film " + film.name}, "Pre-stretch",
@@ -86,9 +86,16 @@ void check_pre_stretch(const CaseText& text, const Film& film,
 }
 
 void check_film(const CaseText& text, const Film& film,
-                const structure::Start start)
+                const study::ProcedureDescription& procedure)
 {
-  check_pre_stretch(text, film, start);
+  check_pre_stretch(text, film, procedure.start);
+  check_temperature(text, {"Film " + film.name}, film.temperature,
+                    film.thermal.modulus,
+                    "the law of the Modulus of its material", procedure);
+  check_temperature(text, {"Film " + film.name}, film.temperature,
+                    film.thermal.relaxation_time,
+                    "the law of the Relaxation time of its material",
+                    procedure);
   const auto& axis = film.axis;
   if (std::hypot(axis[0], axis[1], axis[2]) == 0)
     text.refuse({"Film " + film.name}, "Axis", "the direction has no length");
@@ -232,7 +239,7 @@ void check_device(const CaseText& text, const CaseDraft& draft)
   check_groups_unique(text, "Hinge", "Points", device.hinges);
   check_groups_unique(text, "Rigid body", "Groups", device.bodies);
   for (const Film& film : device.films)
-    check_film(text, film, draft.content.procedure.start);
+    check_film(text, film, draft.content.procedure);
   for (const structure::Support& support : device.supports)
     check_support(text, support);
   for (const structure::EdgeLoad& load : device.edge_loads)

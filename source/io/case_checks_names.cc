@@ -89,6 +89,7 @@ void resolve_materials(const CaseText& text, CaseDraft& draft)
                known);
     const auto position = std::find(known.begin(), known.end(), name);
     film.material = elastomers[position - known.begin()];
+    film.thermal = draft.materials[position - known.begin()].thermal;
   }
 }
 

@@ -49,6 +49,10 @@ void declare_film(Section& section, Film& film, std::string& material)
                    "projected into the film");
   section.optional("Temperature", film.temperature, signal("K"),
                    "temperature of the film");
+  section.optional("Fibre modulus", film.fibre_modulus,
+                   number(not_negative(), "Pa"),
+                   "of fibres across Axis, unstrained in the mesh, that hold "
+                   "the width; 0 = none");
 }
 
 void declare_electrode(Section& section, Electrode& electrode)

@@ -85,16 +85,6 @@ fe::NodalVector Structure::compute_velocities(const LoadState& loads,
   return velocities;
 }
 
-std::vector<fe::BatchLaw> Structure::make_laws(const LoadState& loads,
-                                               const Networks networks) const
-{
-  auto laws = fe::make_laws(*cells_, loads.voltages);
-  if (networks == Networks::relaxed)
-    for (unsigned int slot = 0; slot < laws.size(); ++slot)
-      laws[slot].elastomer = &relaxed_[cells_->slots()[slot].film];
-  return laws;
-}
-
 void Structure::add_bar_forces(fe::NodalVector& forces) const
 {
   // The spring k/8 (|d|^2/l^2 - 1)^2 l^2 that holds the director's length l.
@@ -141,6 +131,8 @@ void Structure::compute_forces(const LoadState& loads, const double* u,
       fe::add_internal_forces(*cells_, laws, positions_, internal, forces_,
                               rates ? rates : unused_rates.data(), powers_);
   refuse_beyond_limit(limit, communicator());
+  heat_power_ =
+      networks == Networks::as_given ? compute_heat_power(loads, internal) : 0;
   frames_->add_forces(loads, positions_, forces_);
   for (unsigned int i = 0; i < pressures_.size(); ++i)
     pressures_[i].pressure = loads.pressures[i];
@@ -203,7 +195,7 @@ Powers Structure::compute_powers(const LoadState& loads,
   Powers powers;
   powers.dissipation = powers_.dissipation;
   const auto charges = compute_charges(loads);
-  double work = 0;
+  double work = heat_power_;
   auto rates = nodes().make_vector();
   point_forces_->add_force_rates(loads, rates);
   for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
@@ -290,6 +282,7 @@ Energies Structure::compute_energies(const LoadState& loads, const double* u,
   energies.frames = sum(energies.frames);
   energies.electric = sum(energies.electric);
   energies.dead_loads = sum(energies.dead_loads);
+  energies.thermal = sum(compute_thermal_energy(loads));
   if (!v)
     for (unsigned int i = 0; i < pressures_.size(); ++i)
       energies.dead_loads -=

@@ -1,5 +1,6 @@
 #include <taut/base/exceptions.h>
 #include <taut/base/nearest_name.h>
+#include <taut/structure/film_laws.h>
 #include <taut/structure/structure.h>
 
 #include <deal.II/fe/fe_q.h>
@@ -86,7 +87,7 @@ void add_line_load(const fe::ReferenceElement& element,
 
 Structure::Structure(const Device& device, const fe::MeshData& mesh,
                      const fe::Triangulation& triangulation)
-    : device_(device), mesh_(mesh), dof_handler_(triangulation)
+    : device_(add_fibres(device)), mesh_(mesh), dof_handler_(triangulation)
 {
   dof_handler_.distribute_dofs(dealii::FE_Q<2, 3>(device_.mesh.degree));
   device_nodes_ = make_device_nodes(device_, mesh_, dof_handler_);

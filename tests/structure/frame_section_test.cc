@@ -42,7 +42,7 @@ TEST(FrameSection, InertiaOfARectangle)
 TEST(FrameSection, TorsionConstantOfSaintVenant)
 {
   // J/(a^3 b) for b/a = 1, 2, 10 (Timoshenko and Goodier), and the limit
-  // 1/3 - .63025 a/b of thin strips.
+  // (1 - .63025 a/b)/3 of thin strips.
   EXPECT_NEAR(make_section(make_rectangle(1, 1)).torsional_stiffness, .140577,
               1e-6);
   EXPECT_NEAR(make_section(make_rectangle(2, 1)).torsional_stiffness, 2 * .2287,
@@ -50,7 +50,7 @@ TEST(FrameSection, TorsionConstantOfSaintVenant)
   EXPECT_NEAR(make_section(make_rectangle(10, 1)).torsional_stiffness,
               10 * .3123, 1e-3);
   EXPECT_NEAR(make_section(make_rectangle(30, .6)).torsional_stiffness,
-              .216 * 30 * (1. / 3 - .63025 * .6 / 30), 1e-5);
+              .216 * 30 * (1 - .63025 * .6 / 30) / 3, 1e-5);
   EXPECT_DOUBLE_EQ(make_section(make_rectangle(1, 3)).torsional_stiffness,
                    make_section(make_rectangle(3, 1)).torsional_stiffness);
 }

@@ -23,6 +23,7 @@ struct MaterialDraft : structure::Named
   material::Dielectric dielectric;
   std::string permittivity_law = "constant";
   double density = 0; ///< (kg/m^3)
+  material::ThermalLaws thermal;
   std::vector<NamedSpring> springs;
   std::vector<NamedNetwork> networks;
 };

@@ -25,8 +25,8 @@ struct Powers
 {
   double dissipation = 0; ///< in the networks (W)
   double drag = 0;        ///< lost to the air (W)
-  /// Of voltage sources (- Q dV/dt), dead loads (- dF/dt . u), pressures and
-  /// moving supports (W); see Energies::total.
+  /// Of voltage sources (- Q dV/dt), dead loads (- dF/dt . u), pressures,
+  /// moving supports and temperatures (dT/dt dPsi/dT) (W); see Energies::total.
   double work = 0;
 };
 
@@ -38,6 +38,9 @@ struct Energies
   double electric = 0; ///< (1/2) Q V (J)
   /// - F . u, in quasi-static problems also - p (volume) (J)
   double dead_loads = 0;
+  /// rho c_0 ((T - T_0) - T ln(T/T_0)) of the films: a function of the
+  /// temperature alone, which the mechanical balance leaves out (J).
+  double thermal = 0;
   /// What the balance follows.
   double total() const
   {
@@ -110,8 +113,11 @@ public:
                                            const double* u);
   /// Velocities (m/s) of all local nodes at the last compute_positions.
   fe::NodalVector compute_velocities(const LoadState& loads, const double* v);
-  std::vector<fe::BatchLaw> make_laws(const LoadState& loads,
-                                      Networks networks) const;
+  /// One law per slot of the cells, at the temperatures of the loads. With
+  /// `time_step` (s) moduli and permittivities have gone on by it along their
+  /// tangents. Errors: StepRejected outside the range of a law of temperature.
+  std::vector<fe::BatchLaw> make_laws(const LoadState& loads, Networks networks,
+                                      double time_step = 0) const;
 
   /// forces = external minus internal forces on the free unknowns (N) and, if
   /// `rates` is given, the rates of the internal variables.
@@ -230,6 +236,9 @@ private:
   compute_support_product(const std::vector<double>& densities, bool damping,
                           const std::vector<double>& rates) const;
   double get_displacement(std::size_t entry) const;
+  double compute_heat_power(const LoadState& loads,
+                            const double* internal) const;
+  double compute_thermal_energy(const LoadState& loads) const;
   void make_frames();
   void add_lumped_film_inertia();
   void add_frame_weight();
@@ -282,6 +291,7 @@ private:
   /// The state of the last compute_positions / compute_forces.
   fe::NodalVector positions_, forces_, pressure_forces_, dead_forces_;
   fe::FilmPowers powers_;
+  double heat_power_ = 0; ///< of the films on this rank (W)
   double internal_force_norm_ = 1;
   double least_force_ = 0; ///< (N)
   /// This rank's share of the forces on all local nodes, before collection;
