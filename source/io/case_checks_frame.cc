@@ -98,7 +98,7 @@ void check_frame(const CaseText& text, const Frame& frame,
   check_attachment(text, frame, !content.device.films.empty());
   check_offset(text, frame, draft);
   check_temperature(text, {"Frame " + frame.name}, frame.temperature,
-                    frame.modulus_law, "Modulus law", content.procedure);
+                    frame.modulus_law, "the Modulus law", content.procedure);
 }
 
 /// Only nodes of frames and rigid bodies have rotations.
@@ -197,7 +197,7 @@ void check_rest_shape(const CaseText& text, const study::Case& content)
 void check_temperature(const CaseText& text, const SectionPath& section,
                        const Signal& temperature,
                        const material::TemperatureLaw& law,
-                       const std::string& law_key,
+                       const std::string& law_name,
                        const study::ProcedureDescription& procedure)
 {
   const material::TemperatureRange range = material::get_range(law);
@@ -206,7 +206,7 @@ void check_temperature(const CaseText& text, const SectionPath& section,
       text.refuse(section, "Temperature",
                   fmt::format("the temperature reaches {:.6g} K, but {} holds "
                               "from {:.6g} K to {:.6g} K",
-                              value, law_key, range.lowest, range.highest));
+                              value, law_name, range.lowest, range.highest));
 }
 
 void resolve_frames(CaseDraft& draft)
