@@ -282,13 +282,14 @@ void Frames::add_line_load(const std::array<double, 3>& load,
   }
 }
 
-double Frames::compute_force_scale() const
+double Frames::compute_axial_spring_square() const
 {
   double square = 0;
   for (const auto& element : elements_)
     if (element.assembled_here)
-      square +=
-          std::pow(device_.frames[element.frame].section.axial_stiffness, 2);
+      square += std::pow(device_.frames[element.frame].section.axial_stiffness /
+                             element.beam.length(),
+                         2);
   return square;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace taut::structure
 {
@@ -111,10 +112,12 @@ void Structure::add_frame_weight()
     add(loaded.node, device_.masses[loaded.entry].mass);
 }
 
-double Structure::compute_least_frame_force() const
+double Structure::compute_round_off_force() const
 {
-  // Below 1e-6 of strain the axial forces of thin beams are round-off.
-  return 1e-6 * std::sqrt(sum(frames_->compute_force_scale()));
+  // Ten units in the last place of each position.
+  constexpr double relative = 10 * std::numeric_limits<double>::epsilon();
+  return relative * compute_extent(mesh_) *
+         std::sqrt(sum(frames_->compute_axial_spring_square()));
 }
 
 std::vector<std::vector<fe::LocalNode>> Structure::get_frame_elements() const

@@ -106,7 +106,8 @@ Structure::Structure(const Device& device, const fe::MeshData& mesh,
     *vector = nodes().make_vector();
   make_frames();
   make_weight();
-  least_force_ = std::hypot(compute_least_force(), compute_least_frame_force());
+  least_force_ = compute_least_force();
+  round_off_force_ = compute_round_off_force();
   for (const auto& load : device_.edge_loads)
     edges_.push_back(make_edge_load(load));
   for (const auto& pressure : device_.pressures)

@@ -60,26 +60,36 @@ double* StructureSystem::scalars(double* state) const
 
 std::vector<double>
 StructureSystem::make_initial_state(const double time, const Start start,
-                                    const bool in_equilibrium,
-                                    const time::PathOptions& options)
+                                    const FindShape& find_shape)
 {
   history_.enter_interval(time);
   std::vector<double> state(layout().size(), 0.);
   double* A = internal(state.data());
   fe::set_unrelaxed(structure_.cells(), A);
-  if (in_equilibrium)
-  {
-    Equilibrium problem(
-        structure_, history_,
-        start == Start::relaxed ? Networks::relaxed : Networks::as_given, A);
-    time::find_equilibrium(problem, time, state.data(), options.newton);
-    structure_.normalise_rotations(state.data());
-  }
+  find_shape(start == Start::relaxed ? Networks::relaxed : Networks::as_given,
+             A, state.data());
+  structure_.normalise_rotations(state.data());
   if (start == Start::relaxed)
     fe::set_relaxed(
         structure_.cells(),
         structure_.compute_positions(history_.at(time), state.data()), A);
   return state;
+}
+
+std::vector<double>
+StructureSystem::make_initial_state(const double time, const Start start,
+                                    const bool in_equilibrium,
+                                    const time::PathOptions& options)
+{
+  return make_initial_state(
+      time, start,
+      [&](const Networks networks, const double* internal, double* u)
+      {
+        if (!in_equilibrium)
+          return;
+        Equilibrium problem(structure_, history_, networks, internal);
+        time::find_equilibrium(problem, time, u, options.newton);
+      });
 }
 
 Energies StructureSystem::compute_energies(const double time,

@@ -54,6 +54,16 @@ void Equilibrium::solve(const double* r, double* d)
   structure_.solve(r, d);
 }
 
+double Equilibrium::round_off_force() const
+{
+  return structure_.round_off_force();
+}
+
+bool Equilibrium::takes_full_steps() const
+{
+  return !structure_.frames().empty();
+}
+
 double Equilibrium::reference_force() const
 {
   return structure_.internal_force_norm();

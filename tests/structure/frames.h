@@ -77,11 +77,9 @@ inline structure::Frame make_frame(const std::string& group,
 }
 
 /// EA, GA (both), GJ, EI about the width and about the thickness.
-inline structure::BeamSection make_stiffnesses(const double axial,
-                                               const double shear,
-                                               const double torsion,
-                                               const double bending,
-                                               const double edgewise)
+inline structure::BeamSection
+make_stiffnesses(const double axial, const double shear, const double torsion,
+                 const double bending, const double edgewise)
 {
   structure::BeamSection section;
   section.axial_stiffness = axial;
@@ -116,9 +114,9 @@ inline fe::Coordinates get_frame_position(structure::Structure& structure,
                                           const std::string& group)
 {
   const auto& frames = structure.device_nodes().frames;
-  const auto place = *structure::find_group_places({group}, frames.mesh,
-                                                   structure.mesh())
-                          .begin();
+  const auto place =
+      *structure::find_group_places({group}, frames.mesh, structure.mesh())
+           .begin();
   const auto& x = structure.compute_positions(loads, u);
   const auto node = structure.nodes().local(frames.nodes[place].position);
   return {fe::entry(x, 3 * node), fe::entry(x, 3 * node + 1),
@@ -130,9 +128,9 @@ inline Quaternion get_frame_rotation(structure::Structure& structure,
                                      const double* u, const std::string& group)
 {
   const auto& frames = structure.device_nodes().frames;
-  const auto place = *structure::find_group_places({group}, frames.mesh,
-                                                   structure.mesh())
-                          .begin();
+  const auto place =
+      *structure::find_group_places({group}, frames.mesh, structure.mesh())
+           .begin();
   const auto& x = structure.compute_positions(loads, u);
   return fe::get_quaternion(
       structure.nodes()

@@ -78,9 +78,8 @@ public:
   /// forces += nodal lengths times `load` (N/m).
   void add_line_load(const std::array<double, 3>& load,
                      fe::NodalVector& forces) const;
-  /// A force (N) of each element against small strains, squared and summed over
-  /// this rank's elements.
-  double compute_force_scale() const;
+  /// Sum of the squares of EA/length (N^2/m^2) of this rank's elements.
+  double compute_axial_spring_square() const;
 
   /// Rotary inertia lumped at every rotation, about x, y, z of the mesh
   /// (kg m^2, row-major), and the same times mass damping. This rank's share.

@@ -136,6 +136,12 @@ public:
   {
     return internal_force_norm_;
   }
+  /// Round-off of axial forces in frames, whose strain is a small difference of
+  /// positions (N).
+  double round_off_force() const
+  {
+    return round_off_force_;
+  }
   /// Capacitance (F) and charge (C) of every electrode at the last
   /// compute_forces.
   std::vector<double> compute_capacitances() const;
@@ -242,7 +248,7 @@ private:
   void make_frames();
   void add_lumped_film_inertia();
   void add_frame_weight();
-  double compute_least_frame_force() const;
+  double compute_round_off_force() const;
   void add_frame_masses(bool damping, fe::TangentMatrix& matrix) const;
   void add_frame_tangent(const fe::TangentRequest& request);
   void add_follower_tangent(fe::TangentMatrix& matrix) const;
@@ -294,6 +300,7 @@ private:
   double heat_power_ = 0; ///< of the films on this rank (W)
   double internal_force_norm_ = 1;
   double least_force_ = 0; ///< (N)
+  double round_off_force_ = 0;
   /// This rank's share of the forces on all local nodes, before collection;
   /// kept if there are bars or followers.
   std::vector<double> turned_forces_;
