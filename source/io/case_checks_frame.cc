@@ -98,13 +98,25 @@ void check_frame(const CaseText& text, const Frame& frame,
   check_attachment(text, frame, !content.device.films.empty());
   check_offset(text, frame, draft);
   check_temperature(text, {"Frame " + frame.name}, frame.temperature,
-                    frame.modulus_law, "Modulus law", content.procedure);
+                    frame.modulus_law, "the Modulus law", content.procedure);
 }
 
 /// Only nodes of frames and rigid bodies have rotations.
 bool has_rotations(const structure::Device& device)
 {
   return !device.frames.empty() || !device.bodies.empty();
+}
+
+/// A support acts on something that the case has.
+void check_target(const CaseText& text, const Support& support,
+                  const structure::Device& device)
+{
+  const SectionPath section = {"Support " + support.name};
+  if (support.target == Support::Target::film && device.films.empty())
+    text.refuse(section, "Acts on", "the case has no film");
+  if (support.target == Support::Target::frame && !has_rotations(device))
+    text.refuse(section, "Acts on",
+                "the case has neither a frame nor a rigid body");
 }
 
 void check_rotations(const CaseText& text, const Support& support,
@@ -185,7 +197,7 @@ void check_rest_shape(const CaseText& text, const study::Case& content)
 void check_temperature(const CaseText& text, const SectionPath& section,
                        const Signal& temperature,
                        const material::TemperatureLaw& law,
-                       const std::string& law_key,
+                       const std::string& law_name,
                        const study::ProcedureDescription& procedure)
 {
   const material::TemperatureRange range = material::get_range(law);
@@ -194,7 +206,7 @@ void check_temperature(const CaseText& text, const SectionPath& section,
       text.refuse(section, "Temperature",
                   fmt::format("the temperature reaches {:.6g} K, but {} holds "
                               "from {:.6g} K to {:.6g} K",
-                              value, law_key, range.lowest, range.highest));
+                              value, law_name, range.lowest, range.highest));
 }
 
 void resolve_frames(CaseDraft& draft)
@@ -219,7 +231,10 @@ void check_frames(const CaseText& text, const CaseDraft& draft)
     text.refuse({"Hinge " + device.hinges[0].name}, "",
                 "the case has no frame that a hinge could part");
   for (const Support& support : device.supports)
+  {
+    check_target(text, support, device);
     check_rotations(text, support, device);
+  }
   for (const structure::PointMass& mass : device.masses)
     check_point_mass(text, mass, device);
   for (const structure::PointLoad& load : device.point_loads)

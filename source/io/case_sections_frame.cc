@@ -109,6 +109,8 @@ void declare_frame(Section& section, const CaseText& text, Frame& frame,
   declare_attachment(section, frame, draft);
   section.optional("Temperature", frame.temperature, signal("K"),
                    "temperature of the frame");
+  section.optional("Modulus law", frame.modulus_law, temperature_law(),
+                   "factor on all stiffnesses");
   section.optional("Mass damping", frame.mass_damping,
                    number(not_negative(), "1/s"),
                    "damping force over mass and velocity");

@@ -40,7 +40,8 @@ subsection Frame legs
   set Attachment = at
   set Attached at = corner_left, bar_right
   set Offset = half thickness
-  set Temperature = ramp(rate = 1, start = 0, limit = 60)
+  set Temperature = steps(0: 299, 0.5: 340)
+  set Modulus law = polynomial(299, 273, 361; -0.006)
   set Mass damping = 3
   set Stiffness damping = 1e-4
 end
@@ -159,7 +160,10 @@ TEST(FrameParameters, RectanglesArriveAsTheirSection)
   EXPECT_EQ(frame.normal, (Vector{{0, 0, 2}}));
   EXPECT_EQ(frame.attachment, Frame::Attachment::at);
   EXPECT_EQ(frame.attached_at, (Names{"corner_left", "bar_right"}));
-  EXPECT_EQ(frame.temperature.value(20), 20);
+  EXPECT_EQ(frame.temperature.value(20), 340);
+  const auto& law = std::get<material::PolynomialLaw>(frame.modulus_law);
+  EXPECT_EQ(law.coefficients, std::vector<double>{-.006});
+  EXPECT_EQ(law.highest, 361);
   EXPECT_EQ(frame.mass_damping, 3);
   EXPECT_EQ(frame.stiffness_damping, 1e-4);
 }
@@ -176,6 +180,7 @@ TEST(FrameParameters, GeneralSectionsKeepTheirNumbers)
   EXPECT_EQ(section.rotary_inertia, (Vector{{1e-8, 2e-8, 3e-8}}));
   EXPECT_EQ(section.thickness, 1e-3);
   EXPECT_EQ(frame.offset, 0);
+  EXPECT_TRUE(std::holds_alternative<material::ConstantLaw>(frame.modulus_law));
   EXPECT_EQ(frame.attachment, Frame::Attachment::along);
   EXPECT_TRUE(frame.attached_at.empty());
   EXPECT_EQ(read(frame_case, {"Frame ends/Offset = half thickness"})
@@ -343,6 +348,17 @@ const Refusal relations[] = {
      "set Offset", "Frame legs/Offset", "more than the width 0.005 m"},
     {"half of no thickness", "Depth = 1e-3", "Offset  = half thickness",
      "set Offset  =", "Frame ends/Offset", "give Depth"},
+    {"temperature beyond the law", "steps(0: 299, 0.5: 340)", "400",
+     "set Temperature", "Frame legs/Temperature", "from 273 K to 361 K"},
+    {"temperature that leaves the law", "0.5: 340", "0.5: 340, 0.7: 272",
+     "set Temperature", "Frame legs/Temperature",
+     "reaches 272 K, but the Modulus law"},
+    {"temperature that leaves the law between kinks", "steps(0: 299, 0.5: 340)",
+     "sine(offset = 320, amplitude = 60, frequency = 4, phase = 0)",
+     "set Temperature", "Frame legs/Temperature", "from 273 K to 361 K"},
+    {"unknown law", "polynomial(299, 273, 361; -0.006)",
+     "wang_2024_frame_moduls", "set Modulus law", "Frame legs/Modulus law",
+     "did you mean 'wang_2024_frame_modulus'"},
     {"normal without direction", "Normal = 0, 0, 2", "Normal = 0, 0, 0",
      "set Normal", "Frame legs/Normal", "no length"},
     {"line of two frames", "Lines = end_left, end_right",
@@ -421,6 +437,10 @@ const Refusal without_film[] = {
     {"statics without support", "set Start shape = meshed",
      "set Start shape = meshed\n  set Analysis = equilibrium", nullptr, "",
      "drift freely"},
+    {"support of films", "subsection Procedure",
+     "subsection Support end\n  set Groups = end\n  set Acts on = "
+     "film\nend\nsubsection Procedure",
+     "set Acts on", "Support end/Acts on", "no film"},
     {"no film to attach", "  set Density = 0",
      "  set Density = 0\n  set Attachment = at\n  set Attached at = end",
      "set Attachment", "Frame beam/Attachment", "no film"}};
@@ -455,6 +475,9 @@ const Refusal without_frame[] = {
     {"held rotations", "  set Groups = edge",
      "  set Groups = edge\n  set Held rotations = x", "set Held",
      "Support edge/Held rotations", "neither a frame nor a rigid body"},
+    {"support of frames", "  set Groups = edge",
+     "  set Groups = edge\n  set Acts on = frame", "set Acts on",
+     "Support edge/Acts on", "neither a frame nor a rigid body"},
     {"rotary inertia", "subsection Support edge",
      "subsection Point mass a\n  set Points = p\n  set Mass = 1\n  set Rotary "
      "inertia = 1, 1, 1\nend\nsubsection Support edge",

@@ -20,10 +20,10 @@ void resolve_frames(CaseDraft& draft);
 void check_frames(const CaseText& text, const CaseDraft& draft);
 
 /// Refuses the key Temperature of `section` if it leaves, during the run, the
-/// range of the law that the key `law_key` gives; the message says the range.
+/// range of the law; the message says the range and calls the law `law_name`.
 void check_temperature(const CaseText& text, const SectionPath& section,
                        const Signal& temperature,
                        const material::TemperatureLaw& law,
-                       const std::string& law_key,
+                       const std::string& law_name,
                        const study::ProcedureDescription& procedure);
 } // namespace taut::io
