@@ -1,30 +1,15 @@
-#include <taut/base/exceptions.h>
-#include <taut/base/number_text.h>
 #include <taut/lumped/demes.h>
 
 #include <cmath>
-#include <string>
 
 #include "demes_formulas.h"
+#include "require.h"
 
 namespace taut::lumped
 {
 namespace
 {
 const double pi = std::acos(-1.);
-
-void require(const bool allowed, const double value, const std::string& name,
-             const std::string& range)
-{
-  if (!allowed || !std::isfinite(value))
-    throw BadInput("the " + name + " must be " + range + ", got " +
-                   number_text(value));
-}
-
-void require_positive(const double value, const std::string& name)
-{
-  require(value > 0, value, name, "positive");
-}
 } // namespace
 
 void validate(const Demes& demes)
