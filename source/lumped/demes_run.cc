@@ -15,6 +15,7 @@ namespace taut::lumped
 {
 namespace
 {
+const double pi = std::acos(-1.);
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void validate_start(const Demes& demes, const DemesState& start)
@@ -23,7 +24,7 @@ void validate_start(const Demes& demes, const DemesState& start)
     throw BadInput("the inner stretch at the start must be positive, got " +
                    number_text(start.inner_stretch));
   const double chord = compute_chord(start.angle, demes.eccentricity).value;
-  if (!(std::abs(start.angle) < std::acos(-1.) && chord > 0) ||
+  if (!(std::abs(start.angle) < pi && chord > 0) ||
       !std::isfinite(start.velocity))
     throw BadInput("the ends of the frame must stay apart at the start: the "
                    "angle must lie between -pi and pi, got " +
@@ -126,14 +127,13 @@ private:
     for (int i = 1; i <= RadauRule::n && !result_.stop; ++i)
     {
       const double force = stepper_.get_point_force(i);
-      if (force < result_.smallest_force)
-        find_smallest_force(i);
       if (force_ > 0 && force <= 0)
         cross(stepper_.get_point_time(i - 1), stepper_.get_point_time(i));
       force_ = force;
     }
     if (result_.stop)
       return;
+    find_smallest_force();
     write_until(stepper_.get_time(), segment_end);
     const DemesMoment end = stepper_.interpolate(stepper_.get_time());
     dissipated_ += end.dissipated;
@@ -162,19 +162,31 @@ private:
     if (at_start || !options_.stop_at_compression)
       return;
     result_.stop = result_.events.back();
+    watch_force(row.time, row.membrane_force);
     if (result_.rows.back().time < row.time)
       write(row);
   }
 
-  /// Near the point i of the last step.
-  void find_smallest_force(const int i)
+  /// Looks between the points of the last step if it comes close.
+  void find_smallest_force()
   {
-    watch_force(stepper_.get_point_time(i), stepper_.get_point_force(i));
-    const double begin = stepper_.get_point_time(i - 1);
-    const double end = stepper_.get_point_time(std::min(i + 1, RadauRule::n));
-    const auto force = [&](const double time) { return compute_force(time); };
+    int lowest = 0, highest = 0;
+    const auto get = [&](const int i) { return stepper_.get_point_force(i); };
+    for (int i = 1; i <= RadauRule::n; ++i)
+    {
+      lowest = get(i) < get(lowest) ? i : lowest;
+      highest = get(i) > get(highest) ? i : highest;
+    }
+    // Between points so close to each other it falls by less than that.
+    const double margin = 0.1 * (get(highest) - get(lowest));
+    if (!(get(lowest) - margin < result_.smallest_force))
+      return;
+    watch_force(stepper_.get_point_time(lowest), get(lowest));
     const auto [time, value] = boost::math::tools::brent_find_minima(
-        force, begin, end, std::numeric_limits<double>::digits / 2);
+        [&](const double time) { return compute_force(time); },
+        stepper_.get_point_time(std::max(lowest - 1, 0)),
+        stepper_.get_point_time(std::min(lowest + 1, RadauRule::n)),
+        std::numeric_limits<double>::digits / 2);
     watch_force(time, value);
   }
 
@@ -284,11 +296,20 @@ DemesState make_flat_start(const Demes& demes, const double seed)
 DemesState make_rest_start(const Demes& demes, const double drive)
 {
   const auto equilibria = find_equilibria(demes, drive);
+  auto rest = equilibria.back();
   for (auto state = equilibria.rbegin(); state != equilibria.rend(); ++state)
-    if (state->stable)
-      return {state->angle, 0, state->stretch};
-  throw BadInput("the DEMES has no stable equilibrium at the drive " +
-                 number_text(drive));
+    if (state->energy < rest.energy)
+      rest = *state;
+  return {rest.angle, 0, rest.stretch};
+}
+
+Signal make_drive(const double reference_drive, const double reference_voltage,
+                  const double direct_voltage, const double alternating_voltage,
+                  const double frequency)
+{
+  const double scale = reference_drive / reference_voltage;
+  return Signal::sine(scale * direct_voltage, scale * alternating_voltage,
+                      frequency / (2 * pi), 0);
 }
 
 DemesRun run_demes(const Demes& demes, const DemesRunOptions& options)

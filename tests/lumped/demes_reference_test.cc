@@ -16,11 +16,11 @@ using demes_reference::Trajectory;
 
 namespace
 {
-// What a local tolerance of 1e-13 leaves of these runs, found by comparison
-// with 1e-12; the film's force multiplies the error of the stretches by its
+// What a local tolerance of 1e-13 leaves of these runs (1e-12 leaves ten times
+// as much); the film's force multiplies the error of the stretches by its
 // stiffness, which is above 100 where the film is short.
-constexpr double integration_error = 1e-11;
-constexpr double force_error = 1e-10;
+constexpr double integration_error = 1e-12;
+constexpr double force_error = 5e-12;
 
 // The unstable straight state magnifies errors e-fold in 1 / sigma while an
 // orbit lingers near it. Only the undamped orbit comes back there (it never

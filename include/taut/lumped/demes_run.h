@@ -27,9 +27,17 @@ struct DemesState
 /// the growth rate.
 DemesState make_flat_start(const Demes& demes, double seed);
 
-/// The relaxed state at rest of largest positive angle at the drive e, with
-/// which driven runs start. Errors: BadInput if there is no stable one.
+/// The relaxed state of least energy at the drive e, with which driven runs
+/// start; of two with opposite angles the one that is positive.
+/// Errors: BadInput for impossible parameters.
 DemesState make_rest_start(const Demes& demes, double drive = 0);
+
+/// Direct and alternating voltage (27),
+///   e(tau) = e_reference (V_dc + V_ac sin(w tau)) / V_reference.
+/// The film feels e^2 and so both w and 2 w.
+Signal make_drive(double reference_drive, double reference_voltage,
+                  double direct_voltage, double alternating_voltage,
+                  double frequency);
 
 /// The DEMES at one time, dimensionless as in `Demes`.
 struct DemesRow
