@@ -79,8 +79,8 @@ const ElasticaShape& ClampedElastica::solve(const double end_angle,
   {
     const double curvature = shape.mid_curvature, load = shape.load;
     const auto f = compute_residual(shape);
-    const auto a = compute_residual(
-        compute_elastica(curvature + difference, load));
+    const auto a =
+        compute_residual(compute_elastica(curvature + difference, load));
     const auto b =
         compute_residual(compute_elastica(curvature, load + difference));
     const double da0 = (a[0] - f[0]) / difference;

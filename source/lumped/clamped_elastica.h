@@ -9,8 +9,7 @@ class ClampedElastica
 {
 public:
   /// The elastica must outlive it.
-  explicit ClampedElastica(const DemesElastica& elastica)
-      : elastica_(elastica)
+  explicit ClampedElastica(const DemesElastica& elastica) : elastica_(elastica)
   {
   }
 
@@ -33,8 +32,7 @@ public:
   double compute_chord(const ElasticaShape& shape) const;
   double compute_stretch(const ElasticaShape& shape) const;
   /// p that the film exerts at a stretch.
-  double compute_load(double stretch, double inner_stretch,
-                      double drive) const;
+  double compute_load(double stretch, double inner_stretch, double drive) const;
 
 private:
   const DemesElastica& elastica_;

@@ -34,10 +34,13 @@ ChordShape compute_chord(const double angle, const double eccentricity)
   double straight;
   if (std::abs(angle) <= pi)
   {
+    using Single = std::array<double, 1>;
     constexpr auto series = formulas::make_series(2);
-    formulas::compute_chord_slope(angle, eccentricity, chord.value,
-                                  chord.slope);
-    straight = formulas::sum_series<1>(series, angle * angle);
+    Single value, slope;
+    formulas::compute_chords(Single{angle}, eccentricity, value, slope);
+    chord.value = value[0];
+    chord.slope = slope[0];
+    straight = formulas::sum_series<1>(series, Single{angle * angle})[0];
   }
   else
   {
@@ -65,8 +68,7 @@ ElectricState compute_electric(const Demes& demes, const double stretch,
   const double square = drive * drive;
   if (demes.control == DemesControl::voltage)
     return {-square / 2 * c, force, -square / 2 * c_2, drive * c};
-  const double stiffness =
-      square / (c * c) * (c_1 * c_1 / c - c_2 / 2);
+  const double stiffness = square / (c * c) * (c_1 * c_1 / c - c_2 / 2);
   return {square / (2 * c), force, stiffness, drive / c};
 }
 
@@ -126,9 +128,8 @@ DemesFrequencies compute_frequencies(const Demes& demes, const double angle,
   const double slope = demes.pre_stretch * chord.slope;
   const double square = stretch * stretch;
   const double force = compute_membrane_force(demes, stretch, stretch, drive);
-  const double stiffness =
-      demes.modulus_factor * (1 + 3 / (square * square)) +
-      compute_electric(demes, stretch, drive).stiffness;
+  const double stiffness = demes.modulus_factor * (1 + 3 / (square * square)) +
+                           compute_electric(demes, stretch, drive).stiffness;
   const double relaxed = demes.frame_stiffness + stiffness * slope * slope +
                          force * demes.pre_stretch * chord.curvature;
   return {relaxed, relaxed + demes.modulus_factor * 4 * demes.viscous_ratio /

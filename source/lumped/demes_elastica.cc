@@ -78,8 +78,8 @@ void push(ElasticaShape& shape)
   shape.end_angle = 2 * std::atan2(kappa / r * sn, cn);
   shape.end_curvature = kappa / dn;
   shape.frame_chord =
-      1 - 2 / w *
-              (w - boost::math::ellint_d(modulus, amplitude) - sn * cn / dn);
+      1 -
+      2 / w * (w - boost::math::ellint_d(modulus, amplitude) - sn * cn / dn);
   shape.sag = 4 * kappa / (r * r) * sn * sn / (dn * (1 + dn));
 }
 
@@ -135,8 +135,7 @@ ShapeSlope differentiate(const double standoff, const Change& change)
           slope([](Shape shape) { return shape.end_curvature; }),
           slope([](Shape shape) { return shape.load; }),
           slope(
-              [&](Shape shape)
-              {
+              [&](Shape shape) {
                 return shape.frame_chord -
                        2 * standoff * std::sin(shape.end_angle);
               })};

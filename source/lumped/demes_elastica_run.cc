@@ -44,8 +44,8 @@ public:
     row.drive = get_drive(time);
     row.shape = clamped_.solve(y[0], y[2], row.drive);
     row.stretch = clamped_.compute_stretch(row.shape);
-    row.membrane_force = compute_membrane_force(elastica_.demes, row.stretch,
-                                                y[2], row.drive);
+    row.membrane_force =
+        compute_membrane_force(elastica_.demes, row.stretch, y[2], row.drive);
     return row;
   }
 
@@ -55,7 +55,8 @@ private:
   {
     const Demes& demes = elastica_.demes;
     const double at = time * demes.time_unit;
-    return (time < end_ ? demes.drive.value(at) : demes.drive.value_before(at)) /
+    return (time < end_ ? demes.drive.value(at)
+                        : demes.drive.value_before(at)) /
            demes.drive_unit;
   }
 
@@ -118,10 +119,9 @@ std::vector<ElasticaRow> run_elastica(const DemesElastica& elastica,
     ode.method = time::OdeMethod::explicit_runge_kutta;
   std::vector<double> y = {options.start.angle, options.start.velocity,
                            options.start.inner_stretch};
-  time::integrate_ode(problem,
-                      {options.start_time, options.end_time,
-                       options.output_times},
-                      ode, {}, observer, y);
+  time::integrate_ode(
+      problem, {options.start_time, options.end_time, options.output_times},
+      ode, {}, observer, y);
   return rows;
 }
 } // namespace taut::lumped

@@ -9,8 +9,8 @@
 namespace taut::lumped::formulas
 {
 /// Coefficients of the power series of sin(x)/x in x^2; at |x| = pi the first
-/// one left out is below 1e-18.
-constexpr int n_terms = 16;
+/// term left out is 1e-17.
+constexpr int n_terms = 14;
 using Series = std::array<double, n_terms>;
 
 /// Order 0: of the function; 1: of its derivative over x; 2: of the second one.
@@ -28,28 +28,38 @@ constexpr Series make_series(const int order)
   return series;
 }
 
-/// Sum of series[i] y^(i - first) from `first` on.
-template <int first>
-inline double sum_series(const Series& series, const double y)
+/// Sums of series[i] y^(i - first) from `first` on, for n values of y.
+template <int first, std::size_t n>
+inline std::array<double, n> sum_series(const Series& series,
+                                        const std::array<double, n>& y)
 {
-  double sum = series[n_terms - 1];
-#pragma GCC unroll 16
-  for (int i = n_terms - 2; i >= first; --i)
-    sum = series[std::size_t(i)] + y * sum;
+  std::array<double, n> sum;
+  sum.fill(series[n_terms - 1]);
+  for (int term = n_terms - 2; term >= first; --term)
+    for (std::size_t i = 0; i < n; ++i)
+      sum[i] = series[std::size_t(term)] + y[i] * sum[i];
   return sum;
 }
 
 /// f and f' of the chord for |angle| <= pi. The eccentricity needs
 /// sin(x) = x f_0 and cos(x) = f_0 + x f_0' only.
-inline void compute_chord_slope(const double angle, const double eccentricity,
-                                double& value, double& slope)
+template <std::size_t n>
+inline void
+compute_chords(const std::array<double, n>& angle, const double eccentricity,
+               std::array<double, n>& value, std::array<double, n>& slope)
 {
   constexpr Series series = make_series(0), series_1 = make_series(1);
-  const double y = angle * angle;
-  const double v = sum_series<0>(series, y);
-  const double s = angle * sum_series<1>(series_1, y);
-  value = v - eccentricity * (angle * v);
-  slope = s - eccentricity * (v + angle * s);
+  std::array<double, n> square;
+  for (std::size_t i = 0; i < n; ++i)
+    square[i] = angle[i] * angle[i];
+  value = sum_series<0>(series, square);
+  slope = sum_series<1>(series_1, square);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double f = value[i], f_1 = angle[i] * slope[i];
+    value[i] = f - eccentricity * (angle[i] * f);
+    slope[i] = f_1 - eccentricity * (f + angle[i] * f_1);
+  }
 }
 
 /// Capacitance over that of the undeformed film, g phi lambda^2.

@@ -120,9 +120,9 @@ private:
   void advance(const double segment_end)
   {
     if (result_.statistics.steps >= options_.max_steps)
-      throw SolverFailed("more than " + std::to_string(options_.max_steps) +
-                         " time steps, stopped at tau = " +
-                         number_text(stepper_.get_time()));
+      throw SolverFailed(
+          "more than " + std::to_string(options_.max_steps) +
+          " time steps, stopped at tau = " + number_text(stepper_.get_time()));
     stepper_.advance();
     for (int i = 1; i <= RadauRule::n && !result_.stop; ++i)
     {
@@ -244,8 +244,8 @@ private:
     row.stretch = compute_stretch(state.angle);
     row.drive = stepper_.get_drive(time);
     row.conjugate = compute_electric(demes_, row.stretch, row.drive).conjugate;
-    row.membrane_force = compute_membrane_force(
-        demes_, row.stretch, state.inner_stretch, row.drive);
+    row.membrane_force = compute_membrane_force(demes_, row.stretch,
+                                                state.inner_stretch, row.drive);
     row.kinetic_energy = state.velocity * state.velocity / 2;
     row.free_energy = compute_free_energy(demes_, state.angle,
                                           state.inner_stretch, row.drive);
@@ -272,8 +272,8 @@ private:
     if (result_.smallest_force < 0)
       result_.notes.push_back(
           "The film pushes, where a real one goes slack: its force falls to " +
-          number_text(result_.smallest_force) + " at tau = " +
-          number_text(result_.smallest_force_time) + ".");
+          number_text(result_.smallest_force) +
+          " at tau = " + number_text(result_.smallest_force_time) + ".");
   }
 
   const Demes& demes_;

@@ -60,11 +60,10 @@ Demes make_demes(const DemesSI& device)
   demes.frame_stiffness =
       4 * bending_stiffness / (length * scales.energy) *
       compute_factor(device.laws.frame_modulus, temperature);
-  demes.relaxation =
-      scales.angular_frequency * device.viscosity / device.shear_modulus *
-      compute_factor(device.laws.relaxation_time, temperature);
-  demes.modulus_factor =
-      compute_factor(device.laws.shear_modulus, temperature);
+  demes.relaxation = scales.angular_frequency * device.viscosity /
+                     device.shear_modulus *
+                     compute_factor(device.laws.relaxation_time, temperature);
+  demes.modulus_factor = compute_factor(device.laws.shear_modulus, temperature);
   demes.permittivity_factor =
       compute_factor(device.laws.permittivity, temperature);
   demes.viscous_ratio = device.viscous_ratio;
@@ -73,8 +72,8 @@ Demes make_demes(const DemesSI& device)
   demes.permittivity = device.permittivity;
   demes.control = device.control;
   demes.drive = device.source;
-  demes.drive_unit = device.control == DemesControl::voltage ? scales.voltage
-                                                             : scales.charge;
+  demes.drive_unit =
+      device.control == DemesControl::voltage ? scales.voltage : scales.charge;
   demes.time_unit = scales.time;
   validate(demes);
   return demes;

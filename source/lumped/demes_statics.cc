@@ -105,7 +105,7 @@ double compute_flattening_drive(const Demes& demes)
 double compute_growth_rate(const Demes& demes, const double drive)
 {
   require_straight_state(demes);
-  return std::sqrt(std::max(
-      0., -compute_frequencies(demes, 0, drive).relaxed_squared));
+  return std::sqrt(
+      std::max(0., -compute_frequencies(demes, 0, drive).relaxed_squared));
 }
 } // namespace taut::lumped

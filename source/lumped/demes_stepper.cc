@@ -1,12 +1,12 @@
 #include "demes_stepper.h"
 
-#include "demes_formulas.h"
-
 #include <taut/base/exceptions.h>
 #include <taut/base/number_text.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "demes_formulas.h"
 
 namespace taut::lumped
 {
@@ -17,7 +17,7 @@ const double pi = std::acos(-1.);
 /// Iterations after which a step is given up.
 constexpr int most_iterations = 20;
 /// What the iteration leaves, over the tolerance.
-constexpr double iteration_share = 1e-3;
+constexpr double iteration_share = 2e-2;
 /// Of the step that the error estimate would allow; more would be rejected
 /// often.
 constexpr double safety = 0.75;
@@ -29,22 +29,25 @@ constexpr double least_scale = 1e-3;
 /// so is the diagonal.
 void solve_in_place(RadauRule::Matrix& matrix, RadauRule::Nodal& x)
 {
+  RadauRule::Nodal inverse;
   for (int k = 0; k < n; ++k)
   {
-    const double inverse = 1 / matrix[k][k];
+    inverse[k] = 1 / matrix[k][k];
     for (int i = k + 1; i < n; ++i)
     {
-      const double factor = matrix[i][k] * inverse;
-      for (int j = k + 1; j < n; ++j)
+      const double factor = matrix[i][k] * inverse[k];
+      // Whole rows, although their beginnings are no longer needed: loops of
+      // constant length run side by side.
+      for (int j = 0; j < n; ++j)
         matrix[i][j] -= factor * matrix[k][j];
       x[i] -= factor * x[k];
     }
   }
-  for (int i = n - 1; i >= 0; --i)
+  for (int k = n - 1; k >= 0; --k)
   {
-    for (int j = i + 1; j < n; ++j)
-      x[i] -= matrix[i][j] * x[j];
-    x[i] /= matrix[i][i];
+    x[k] *= inverse[k];
+    for (int i = 0; i < k; ++i)
+      x[i] -= matrix[i][k] * x[k];
   }
 }
 
@@ -77,7 +80,8 @@ void DemesStepper::start(const double time, const double end,
 double DemesStepper::get_drive(const double time) const
 {
   const double at = time * demes_.time_unit;
-  return (time < end_ ? demes_.drive.value(at) : demes_.drive.value_before(at)) /
+  return (time < end_ ? demes_.drive.value(at)
+                      : demes_.drive.value_before(at)) /
          demes_.drive_unit;
 }
 
@@ -129,15 +133,15 @@ void DemesStepper::predict(const double step)
   inner_power_[0] = fourth_power(state_.inner_stretch);
   for (int i = 0; i <= n; ++i)
     drive_[i] = get_drive(time_ + step * rule_.points[i]);
-  update_chords(0, 0);
+  angle_.fill(state_.angle);
+  update_chords();
   update_accelerations(0, 0);
   for (int i = 1; i <= n; ++i)
     acceleration_[i] =
-        last_step_ == 0
-            ? acceleration_[0]
-            : combine(rule_.make_interpolation(1 + rule_.points[i] * step /
-                                                       last_step_),
-                      last_acceleration_);
+        last_step_ == 0 ? acceleration_[0]
+                        : combine(rule_.make_interpolation(
+                                      1 + rule_.points[i] * step / last_step_),
+                                  last_acceleration_);
 }
 
 /// Whether the iteration converged.
@@ -151,7 +155,7 @@ bool DemesStepper::solve(const double step)
   {
     ++statistics_.evaluations;
     place_angles(step);
-    update_chords(1, n);
+    update_chords();
     if (!is_admissible() || !relax_inner(step))
       return false;
     const double change = update_accelerations(1, n);
@@ -180,14 +184,11 @@ void DemesStepper::place_angles(const double step)
   }
 }
 
-/// At the points from `first` to `last`.
-void DemesStepper::update_chords(const int first, const int last)
+void DemesStepper::update_chords()
 {
-  const double eccentricity = demes_.eccentricity;
-  for (int i = first; i <= last; ++i)
+  formulas::compute_chords(angle_, demes_.eccentricity, stretch_, slope_);
+  for (int i = 0; i <= n; ++i)
   {
-    formulas::compute_chord_slope(angle_[i], eccentricity, stretch_[i],
-                                  slope_[i]);
     stretch_[i] *= demes_.pre_stretch;
     slope_[i] *= demes_.pre_stretch;
   }
@@ -239,9 +240,8 @@ double DemesStepper::update_accelerations(const int first, const int last)
   {
     force_[i] = formulas::compute_force(demes, stretch_[i],
                                         std::sqrt(inner_power_[i]), drive_[i]);
-    acceleration_[i] =
-        -demes.frame_stiffness * (angle_[i] - demes.rest_angle) -
-        slope_[i] * force_[i];
+    acceleration_[i] = -demes.frame_stiffness * (angle_[i] - demes.rest_angle) -
+                       slope_[i] * force_[i];
   }
   double largest = 0;
   for (int i = first; i <= last; ++i)
@@ -268,8 +268,8 @@ void DemesStepper::finish(const double step)
 
 double DemesStepper::get_scale() const
 {
-  return std::max({least_scale, std::abs(state_.angle),
-                   std::abs(state_.velocity)});
+  return std::max(
+      {least_scale, std::abs(state_.angle), std::abs(state_.velocity)});
 }
 
 /// How far the polynomials miss the equations at the beginning of the step,

@@ -71,7 +71,7 @@ private:
   void predict(double step);
   bool solve(double step);
   void place_angles(double step);
-  void update_chords(int first, int last);
+  void update_chords();
   bool is_admissible();
   bool relax_inner(double step);
   double update_accelerations(int first, int last);

@@ -131,7 +131,7 @@ const RadauRule& get_radau_rule()
 }
 
 double combine(const RadauRule::Sampled& weights,
-                   const RadauRule::Sampled& values)
+               const RadauRule::Sampled& values)
 {
   double sum = 0;
   for (int j = 0; j <= n; ++j)

@@ -37,5 +37,5 @@ struct RadauRule
 const RadauRule& get_radau_rule();
 
 double combine(const RadauRule::Sampled& weights,
-                   const RadauRule::Sampled& values);
+               const RadauRule::Sampled& values);
 } // namespace taut::lumped

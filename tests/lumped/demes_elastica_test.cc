@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/math/special_functions/ellint_2.hpp>
-
 #include <cmath>
 #include <vector>
+
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
 
 using namespace taut;
 using namespace taut::lumped;
@@ -320,7 +320,7 @@ TEST(DemesElastica, StraightFrameHasTheFrequencyOfABeamColumn)
 // swings back, turns over, and the film pushes.
 TEST(ElasticaShape, EqualsNumericalIntegration)
 {
-  const Rows states = {{2.9, 11}, {-5, 14}, {7, 3},  {6, -1.7},
+  const Rows states = {{2.9, 11},  {-5, 14}, {7, 3},  {6, -1.7},
                        {0.1, -30}, {4, 0},   {2, 35}, {-3, -2}};
   for (const auto& state : states)
   {

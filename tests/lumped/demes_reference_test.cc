@@ -71,10 +71,10 @@ TEST_P(DemesReference, TrajectoryIsReproduced)
   {
     const Row row = flatten(run.rows[i + 1]), &expected = trajectory.rows[i];
     for (std::size_t j = 0; j < row.size(); ++j)
-      EXPECT_NEAR(row[j], expected[j],
-                  (trajectory.error +
-                   (j == 6 ? force_error : integration_error)) *
-                      std::max(1., std::abs(expected[j])))
+      EXPECT_NEAR(
+          row[j], expected[j],
+          (trajectory.error + (j == 6 ? force_error : integration_error)) *
+              std::max(1., std::abs(expected[j])))
           << "column " << j << " at tau = " << expected[0];
   }
 }
@@ -90,13 +90,12 @@ TEST_P(DemesReference, DefaultToleranceLeavesLessThanOneInTenMillion)
           << "column " << j << " at tau = " << trajectory.rows[i][0];
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, DemesReference, testing::ValuesIn(get_all()),
-    [](const testing::TestParamInfo<Trajectory>& info)
-    {
-      std::string name = info.param.name;
-      std::replace_if(
-          name.begin(), name.end(), [](const char c) { return !isalnum(c); },
-          '_');
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(All, DemesReference, testing::ValuesIn(get_all()),
+                         [](const testing::TestParamInfo<Trajectory>& info)
+                         {
+                           std::string name = info.param.name;
+                           std::replace_if(
+                               name.begin(), name.end(),
+                               [](const char c) { return !isalnum(c); }, '_');
+                           return name;
+                         });

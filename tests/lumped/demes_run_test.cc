@@ -66,11 +66,12 @@ TEST(DemesRun, ExactlyStraightFrameStaysFlatAndSaysSo)
 TEST(DemesRun, SeedAndEccentricityAreStated)
 {
   Demes demes = make_demes(2);
-  EXPECT_TRUE(has_note(
-      run_demes(demes, make_options(make_flat_start(demes, 0.01), 1)),
-      "seed angle 0.01 rad"));
+  EXPECT_TRUE(
+      has_note(run_demes(demes, make_options(make_flat_start(demes, 0.01), 1)),
+               "seed angle 0.01 rad"));
   demes.eccentricity = 0.02;
-  const auto run = run_demes(demes, make_options(make_flat_start(demes, 0), 20));
+  const auto run =
+      run_demes(demes, make_options(make_flat_start(demes, 0), 20));
   EXPECT_TRUE(has_note(run, "eccentricity 0.02"));
   EXPECT_GT(run.rows.back().angle, 0.1);
 }
@@ -104,10 +105,10 @@ TEST(DemesRun, PushingFilmIsReported)
     EXPECT_FALSE(run.events[0].at_start);
     EXPECT_NEAR(run.events[0].row.membrane_force, 0, 1e-9);
     EXPECT_TRUE(has_note(run, "pushes"));
-    const auto lowest = std::min_element(
-        run.rows.begin(), run.rows.end(),
-        [](const DemesRow& a, const DemesRow& b)
-        { return a.membrane_force < b.membrane_force; });
+    const auto lowest =
+        std::min_element(run.rows.begin(), run.rows.end(),
+                         [](const DemesRow& a, const DemesRow& b)
+                         { return a.membrane_force < b.membrane_force; });
     EXPECT_LE(run.smallest_force, lowest->membrane_force + 1e-9);
     EXPECT_NEAR(run.smallest_force_time, lowest->time, 0.011);
   }
@@ -189,9 +190,8 @@ TEST(DemesRun, EnergyIsBalancedAcrossJumpsAndKinks)
     Demes demes = make_demes(3);
     demes.control = control;
     const auto rest = make_rest_start(demes);
-    for (const auto& signal :
-         {Signal::steps({0, 3.3, 7}, {0.1, 0.5, 0.2}),
-          Signal::table({0, 3.3, 7}, {0.1, 0.5, 0.2})})
+    for (const auto& signal : {Signal::steps({0, 3.3, 7}, {0.1, 0.5, 0.2}),
+                               Signal::table({0, 3.3, 7}, {0.1, 0.5, 0.2})})
     {
       demes.drive = signal;
       const auto run = run_demes(demes, make_options(rest, 12));
@@ -287,9 +287,9 @@ TEST(DemesRun, ErrorFollowsTheTolerance)
     const auto run = run_demes(demes, options);
     double error = 0;
     for (std::size_t i = 0; i < run.rows.size(); ++i)
-      error = std::max({error, std::abs(run.rows[i].angle - exact.rows[i].angle),
-                        std::abs(run.rows[i].inner_stretch -
-                                 exact.rows[i].inner_stretch)});
+      error = std::max(
+          {error, std::abs(run.rows[i].angle - exact.rows[i].angle),
+           std::abs(run.rows[i].inner_stretch - exact.rows[i].inner_stretch)});
     EXPECT_LT(error, 10 * tolerance);
   }
 }

@@ -65,9 +65,9 @@ TEST(DemesSI, BecomesTheDimensionlessModel)
 TEST(DemesSI, ForcesAndFrequenciesOfTheParameterSet)
 {
   const std::vector<std::vector<double>> rows = {
-      {2, 1.678, 3.455, 5.704},    {2.5, 1.564, 6.622, 11.244},
-      {3, 1.465, 8.717, 15.150},   {3.5, 1.378, 10.465, 18.542},
-      {4, 1.301, 12.050, 21.694},  {4.5, 1.231, 13.552, 24.721},
+      {2, 1.678, 3.455, 5.704},   {2.5, 1.564, 6.622, 11.244},
+      {3, 1.465, 8.717, 15.150},  {3.5, 1.378, 10.465, 18.542},
+      {4, 1.301, 12.050, 21.694}, {4.5, 1.231, 13.552, 24.721},
       {5, 1.168, 15.009, 27.678}};
   for (const auto& row : rows)
   {
@@ -121,14 +121,13 @@ TEST(DemesTemperature, SofteningGivesTheTableOfHeatedStates)
     double temperature, stiffness, modulus, relaxation, permittivity;
     double angle_2, angle_5, frequency_2, frequency_5;
   };
-  const Row rows[] = {
-      {299, 1, 1, 0.03, 1, .8217, 2.3809, .691, 3.002},
-      {320, .874, .895, .013589131, .96032495749103, .8613, 2.3871, .682,
-       2.852},
-      {340, .754, .795, .0070006544, .9270957202076, .9068, 2.3945, .674,
-       2.702},
-      {360, .634, .695, .0038823214, .89755862040011, .9629, 2.4039, .665,
-       2.544}};
+  const Row rows[] = {{299, 1, 1, 0.03, 1, .8217, 2.3809, .691, 3.002},
+                      {320, .874, .895, .013589131, .96032495749103, .8613,
+                       2.3871, .682, 2.852},
+                      {340, .754, .795, .0070006544, .9270957202076, .9068,
+                       2.3945, .674, 2.702},
+                      {360, .634, .695, .0038823214, .89755862040011, .9629,
+                       2.4039, .665, 2.544}};
   for (const Row& row : rows)
   {
     auto device = make_device(2);
@@ -158,8 +157,8 @@ TEST(DemesTemperature, SofteningGivesTheTableOfHeatedStates)
 
 TEST(DemesTemperature, LawsByName)
 {
-  EXPECT_EQ(compute_factor(make_temperature_laws("constant").shear_modulus, 350),
-            1);
+  EXPECT_EQ(
+      compute_factor(make_temperature_laws("constant").shear_modulus, 350), 1);
   const auto entropic = make_temperature_laws("entropic");
   EXPECT_NEAR(compute_factor(entropic.shear_modulus, 350), 350. / 299, 1e-14);
   EXPECT_FALSE(entropic.source.empty());
@@ -201,8 +200,7 @@ TEST(DemesTemperature, OutsideItsRangeIsRefusedWithTheRange)
 
 TEST(DemesSIRefusals, ImpossibleValuesAreNamed)
 {
-  const auto expect_refusal =
-      [](const auto& change, const std::string& words)
+  const auto expect_refusal = [](const auto& change, const std::string& words)
   {
     auto device = make_device(2);
     change(device);
@@ -223,7 +221,8 @@ TEST(DemesSIRefusals, ImpossibleValuesAreNamed)
   expect_refusal([](DemesSI& d) { d.pre_stretch = 0; }, "pre-stretch");
   expect_refusal([](DemesSI& d) { d.shear_modulus = 0; }, "shear modulus");
   expect_refusal([](DemesSI& d) { d.viscosity = 0; }, "viscosity");
-  expect_refusal([](DemesSI& d) { d.frame_modulus = 0; }, "modulus of the frame");
+  expect_refusal([](DemesSI& d) { d.frame_modulus = 0; },
+                 "modulus of the frame");
   expect_refusal([](DemesSI& d) { d.frame_width = 0; }, "legs");
   expect_refusal([](DemesSI& d) { d.frame_thickness = 0; }, "of the frame");
   expect_refusal([](DemesSI& d) { d.inertia = 0; }, "inertia");
@@ -237,7 +236,8 @@ TEST(RunAll, DoesEveryTaskOnceOnAnyNumberOfThreads)
   for (const unsigned int threads : {0u, 1u, 3u, 50u})
   {
     std::vector<int> done(20, 0);
-    run_all(done.size(), [&](const std::size_t i) { ++done[i]; }, threads);
+    run_all(
+        done.size(), [&](const std::size_t i) { ++done[i]; }, threads);
     EXPECT_EQ(done, std::vector<int>(20, 1));
   }
   run_all(0, [](std::size_t) { FAIL(); });
@@ -268,8 +268,8 @@ TEST(RunAll, SweepEqualsSingleRuns)
     return run_demes(demes, options).rows.back().angle;
   };
   std::vector<double> angles(16);
-  run_all(angles.size(), [&](const std::size_t i) { angles[i] = compute(i); },
-          4);
+  run_all(
+      angles.size(), [&](const std::size_t i) { angles[i] = compute(i); }, 4);
   for (std::size_t i = 0; i < angles.size(); ++i)
     EXPECT_EQ(angles[i], compute(i));
 }

@@ -125,9 +125,9 @@ TEST(DemesStatics, BendingBeginsAtTheCriticalPreStretch)
   EXPECT_TRUE(below[0].stable);
   EXPECT_EQ(below[0].angle, 0);
   EXPECT_EQ(find_equilibria(make_demes(critical + 1e-4), 0).size(), 3u);
-  EXPECT_NEAR(find_equilibria(make_demes(critical), 0)[0]
-                  .frequencies.relaxed_squared,
-              0, 1e-14);
+  EXPECT_NEAR(
+      find_equilibria(make_demes(critical), 0)[0].frequencies.relaxed_squared,
+      0, 1e-14);
 }
 
 // Numbers of an independent derivation, three digits.
@@ -176,8 +176,7 @@ TEST(DemesStatics, ChargeReachesTheStatesOfVoltageMoreStably)
   charge.control = DemesControl::charge;
   const Demes voltage = make_demes(2);
   const auto state = find_equilibria(voltage, 0.4).back();
-  const double held =
-      compute_electric(voltage, state.stretch, 0.4).conjugate;
+  const double held = compute_electric(voltage, state.stretch, 0.4).conjugate;
   const auto same = find_equilibria(charge, held).back();
   EXPECT_NEAR(same.angle, state.angle, 1e-12);
   EXPECT_GT(same.frequencies.relaxed_squared,

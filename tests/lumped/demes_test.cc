@@ -209,9 +209,9 @@ TEST(DemesRefusals, ImpossibleParametersAreNamed)
   expect_refusal([](Demes& d) { d.modulus_factor = 0; }, "shear modulus");
   expect_refusal([](Demes& d) { d.permittivity_factor = 0; }, "permittivity");
   expect_refusal([](Demes& d) { d.viscous_ratio = -1; }, "ratio beta");
-  expect_refusal(
-      [](Demes& d) { d.eccentricity = std::numeric_limits<double>::infinity(); },
-      "eccentricity");
+  expect_refusal([](Demes& d)
+                 { d.eccentricity = std::numeric_limits<double>::infinity(); },
+                 "eccentricity");
   expect_refusal([](Demes& d) { d.rest_angle = 4; }, "rest angle");
   expect_refusal([](Demes& d) { d.drive_unit = 0; }, "unit of the drive");
   expect_refusal([](Demes& d) { d.time_unit = 0; }, "unit of time");

@@ -63,8 +63,8 @@ struct ElasticaEquilibrium
 /// that a pulling film bends to positive angles, by increasing angle. Without
 /// stand-offs those bent have mirror images.
 /// Errors: BadInput for impossible parameters.
-std::vector<ElasticaEquilibrium>
-find_equilibria(const DemesElastica& elastica, double drive);
+std::vector<ElasticaEquilibrium> find_equilibria(const DemesElastica& elastica,
+                                                 double drive);
 
 /// As for the arc, which buckles at 12 EI / C^2 instead of pi^2 EI / C^2.
 /// Errors: BadInput if there is a stand-off.
