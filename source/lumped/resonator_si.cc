@@ -1,28 +1,14 @@
-#include <taut/base/exceptions.h>
-#include <taut/base/number_text.h>
 #include <taut/lumped/resonator_si.h>
 
 #include <cmath>
 #include <numeric>
-#include <string>
+
+#include "require.h"
 
 namespace taut::lumped
 {
 namespace
 {
-void require(const bool allowed, const double value, const std::string& name,
-             const std::string& range)
-{
-  if (!allowed || !std::isfinite(value))
-    throw BadInput("the " + name + " must be " + range + ", got " +
-                   number_text(value));
-}
-
-void require_positive(const double value, const std::string& name)
-{
-  require(value > 0, value, name, "positive");
-}
-
 void validate(const ResonatorSI& device)
 {
   require_positive(device.length_a, "length of strip A");
