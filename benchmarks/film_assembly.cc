@@ -37,7 +37,7 @@ struct Problem
     for (fe::LocalNode node = 0; node < mesh.size(); ++node)
       for (unsigned int c = 0; c < 3; ++c)
         fe::entry(positions, 3 * node + c) = mesh[node][c] + noise(generator);
-    fe::set_relaxed(cells, positions, internal.data());
+    fe::set_relaxed(cells, laws, positions, internal.data());
   }
 
   static SquareFilm make_square_film(const benchmark::State& state)

@@ -23,11 +23,13 @@ void for_each_point(const fe::FilmCells& cells, const std::size_t film,
         function(cell, q);
 }
 
-/// Nominal stress along a material axis: |F e_k| S_kk (Pa).
+/// Nominal stress along a material axis, |F e_k| S_kk (Pa), with the stress of
+/// the wrinkled film, whose metric is `wrinkled`.
 double compute_nominal_stress(const fe::FilmCells& cells,
                               const unsigned int cell, const unsigned int q,
-                              const Tensor& C, const double* internal,
-                              const double voltage, const unsigned int axis)
+                              const Tensor& C, const Tensor& wrinkled,
+                              const double* internal, const double voltage,
+                              const unsigned int axis)
 {
   const fe::FilmSection& film = cells.films()[cells.cells()[cell].film];
   const double field = voltage / film.thickness;
@@ -36,7 +38,7 @@ double compute_nominal_stress(const fe::FilmCells& cells,
       internal + cells.first_internal(cell) + 3ul * q * cells.n_networks(cell);
   for (unsigned int m = 0; m < cells.n_networks(cell); ++m)
     A.push_back({values[3 * m], values[3 * m + 1], values[3 * m + 2]});
-  const Tensor S = material::stress(*film.elastomer, C, A.data(),
+  const Tensor S = material::stress(*film.elastomer, wrinkled, A.data(),
                                     {field * field, film.temperature});
   return axis == 0 ? std::sqrt(C.xx) * S.xx : std::sqrt(C.yy) * S.yy;
 }
@@ -70,22 +72,29 @@ double Probes::evaluate_film(const std::size_t probe, const LoadState& loads,
   }
   const auto metric =
       fe::compute_metric(cells, structure.compute_positions(loads, u));
+  const auto wrinkled = fe::compute_wrinkled_metric(
+      cells, structure.make_laws(loads, Networks::as_given),
+      structure.compute_positions(loads, u), internal);
   double volume = 0, integral = 0;
-  for_each_point(
-      cells, film,
-      [&](const unsigned int cell, const unsigned int q)
-      {
-        const auto& [xx, yy, xy] = metric[cell * n + q];
-        const int electrode = cells.cells()[cell].electrode;
-        const double voltage = electrode < 0 ? 0. : loads.voltages[electrode];
-        const double value =
-            description.kind == Kind::mean_stretch
-                ? std::sqrt(description.component == 0 ? xx : yy)
-                : compute_nominal_stress(cells, cell, q, {xx, yy, xy}, internal,
-                                         voltage, description.component);
-        volume += cells.volume(cell, q);
-        integral += cells.volume(cell, q) * value;
-      });
+  for_each_point(cells, film,
+                 [&](const unsigned int cell, const unsigned int q)
+                 {
+                   const auto& [xx, yy, xy] = metric[cell * n + q];
+                   const auto& [wrinkled_xx, wrinkled_yy, wrinkled_xy] =
+                       wrinkled[cell * n + q];
+                   const int electrode = cells.cells()[cell].electrode;
+                   const double voltage =
+                       electrode < 0 ? 0. : loads.voltages[electrode];
+                   const double value =
+                       description.kind == Kind::mean_stretch
+                           ? std::sqrt(description.component == 0 ? xx : yy)
+                           : compute_nominal_stress(
+                                 cells, cell, q, {xx, yy, xy},
+                                 {wrinkled_xx, wrinkled_yy, wrinkled_xy},
+                                 internal, voltage, description.component);
+                   volume += cells.volume(cell, q);
+                   integral += cells.volume(cell, q) * value;
+                 });
   return dealii::Utilities::MPI::sum(integral, comm) /
          dealii::Utilities::MPI::sum(volume, comm);
 }
