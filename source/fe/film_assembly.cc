@@ -1,4 +1,5 @@
 #include <taut/fe/film_assembly.h>
+#include <taut/material/wrinkles.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -30,7 +31,9 @@ std::vector<BatchLaw> make_laws(const FilmCells& cells,
         slot.electrode < 0 ? 0. : voltages[slot.electrode] / film.thickness;
     laws.push_back({film.elastomer,
                     {field * field, film.temperature},
-                    film.tension_field});
+                    film.tension_field
+                        ? material::get_wrinkle_stiffness(*film.elastomer)
+                        : 0.});
   }
   return laws;
 }

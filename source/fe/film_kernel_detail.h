@@ -83,14 +83,23 @@ inline void add_forces(const Lanes* gradients, const DeformationGradient& F,
 /// `margin` that of material::limit_margin.
 inline bool wrinkles(const BatchLaw& law, const Tensor& S, const double margin)
 {
-  return law.tension_field && (!(margin > 0) || any(!material::is_taut(S)));
+  return law.wrinkle_stiffness > 0 &&
+         (!(margin > 0) || any(!material::is_taut(S, law.wrinkle_stiffness)));
 }
 
 inline bool wrinkles(const BatchLaw& law, const Tensor& C, const Tensor* A,
                      const Tensor& S)
 {
-  return law.tension_field &&
+  return law.wrinkle_stiffness > 0 &&
          wrinkles(law, S, material::limit_margin(*law.elastomer, C, A));
+}
+
+inline material::Wrinkles<Lanes> find_wrinkles(const BatchLaw& law,
+                                               const Tensor& C, const Tensor* A,
+                                               const Tensor& S)
+{
+  return material::find_wrinkles(*law.elastomer, C, A, law.field, S,
+                                 law.wrinkle_stiffness);
 }
 
 /// Calls `function` with the number of nodes as a compile-time constant.

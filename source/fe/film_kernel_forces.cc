@@ -19,8 +19,7 @@ void update_limit(const Lanes& margin, const unsigned int point,
 void relax_point(const BatchLaw& law, const Tensor* A, const unsigned int point,
                  Tensor& C, Tensor& S, LimitCheck& check)
 {
-  const auto state =
-      material::find_wrinkles(*law.elastomer, C, A, law.field, S);
+  const auto state = find_wrinkles(law, C, A, S);
   C = state.metric;
   S = material::stress(*law.elastomer, C, A, law.field);
   const Lanes margin = material::limit_margin(*law.elastomer, C, A);
@@ -76,13 +75,12 @@ struct WrinklingPoint
                  const double alpha)
       : C(metric)
   {
-    if (!law.tension_field)
+    if (!(law.wrinkle_stiffness > 0))
       return;
     Tensor S = material::stress(*law.elastomer, C, A, law.field);
     if (!fe::wrinkles(law, C, A, S))
       return;
-    const auto state =
-        material::find_wrinkles(*law.elastomer, C, A, law.field, S);
+    const auto state = find_wrinkles(law, C, A, S);
     wrinkles = true;
     C = state.metric;
     material::stress_and_stiffness(*law.elastomer, C, A, law.field, alpha, S,
@@ -189,8 +187,7 @@ void compute_energy(const BatchGeometry& geometry, const BatchLaw& law,
     const Tensor S = material::stress(*law.elastomer, C, A, law.field);
     if (wrinkles(law, C, A, S))
     {
-      const auto state =
-          material::find_wrinkles(*law.elastomer, C, A, law.field, S);
+      const auto state = find_wrinkles(law, C, A, S);
       of_wrinkles = material::compute_wrinkle_energy(state, C);
       C = state.metric;
     }
@@ -224,7 +221,7 @@ void compute_wrinkled_metric(const BatchGeometry& geometry, const BatchLaw& law,
     Tensor& C = as_tensors(metric)[q];
     const Tensor S = material::stress(*law.elastomer, C, A, law.field);
     if (wrinkles(law, C, A, S))
-      C = material::find_wrinkles(*law.elastomer, C, A, law.field, S).metric;
+      C = find_wrinkles(law, C, A, S).metric;
   }
 }
 } // namespace

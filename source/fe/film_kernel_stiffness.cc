@@ -87,8 +87,7 @@ void make_wrinkled_stiffness(const BatchLaw& law, const Tensor& C,
                              const Tensor* A, const double alpha, Tensor& S,
                              material::Matrix3<Lanes>& D)
 {
-  const auto state =
-      material::find_wrinkles(*law.elastomer, C, A, law.field, S);
+  const auto state = find_wrinkles(law, C, A, S);
   material::stress_and_stiffness(*law.elastomer, state.metric, A, law.field,
                                  alpha, S, D);
   D = material::condense_wrinkles(

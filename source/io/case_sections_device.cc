@@ -49,6 +49,9 @@ void declare_film(Section& section, Film& film, std::string& material)
                    "projected into the film");
   section.optional("Temperature", film.temperature, signal("K"),
                    "temperature of the film");
+  section.optional("Tension field", film.tension_field, yes_no(),
+                   "whether the film wrinkles and goes slack instead of "
+                   "carrying compression");
 }
 
 void declare_electrode(Section& section, Electrode& electrode)

@@ -15,12 +15,12 @@ struct Point
   Elastomer elastomer;
   std::vector<Tensor> A;
   Field field = {0., 300.};
-  double delta = wrinkle_stiffness;
+  double delta = 1e-6;
 
   Wrinkles<double> find(const Tensor& C) const
   {
     return find_wrinkles(elastomer, C, A.data(), field, get_flat_stress(C),
-                         delta);
+                         get_wrinkle_stiffness(elastomer, delta));
   }
   Tensor get_flat_stress(const Tensor& C) const
   {
@@ -146,7 +146,7 @@ TEST(TensionField, UniaxialTensionOfANeoHookeanFilm)
 {
   // At stretches 1.05 and .9 both nominal stresses l - 1/(l^3 l_other^2) are
   // negative, the natural width is 1.05^(-1/2) and the nominal stress
-  // 1.05 - 1.05^-2. The regularising term changes both by its share, 1e-6.
+  // 1.05 - 1.05^-2. The cost of wrinkles changes all by its share, 2e-6.
   const Point point = make_neo_hookean();
   const Tensor C = {1.05 * 1.05, .9 * .9, 0.};
   const Tensor flat = point.get_flat_stress(C);
@@ -154,11 +154,12 @@ TEST(TensionField, UniaxialTensionOfANeoHookeanFilm)
   EXPECT_NEAR(flat.yy * .9, -.344, 5e-4);
   const auto wrinkles = point.find(C);
   EXPECT_EQ(get_kind(wrinkles), Kind::wrinkled);
-  EXPECT_NEAR(std::sqrt(wrinkles.metric.yy), std::pow(1.05, -.5), 1e-6);
+  constexpr double share = 3e-6;
+  EXPECT_NEAR(std::sqrt(wrinkles.metric.yy), std::pow(1.05, -.5), share);
   const Tensor S = point.get_stress(C);
-  EXPECT_NEAR(S.xx * 1.05, 1.05 - std::pow(1.05, -2), 1e-6);
-  EXPECT_NEAR(S.yy, 0., 1e-6);
-  EXPECT_NEAR(S.xy, 0., 1e-6);
+  EXPECT_NEAR(S.xx * 1.05, 1.05 - std::pow(1.05, -2), share);
+  EXPECT_NEAR(S.yy, 0., share);
+  EXPECT_NEAR(S.xy, 0., share);
 }
 
 TEST(TensionField, NaturalWidthUnderVoltage)
@@ -177,7 +178,7 @@ TEST(TensionField, SlackFilmHasItsNaturalShape)
   // Without voltage undeformed, at e the free actuation l^-2 - l^-8 = e.
   const Tensor C = make_turned(.7, .5, .4);
   EXPECT_EQ(get_kind(make_neo_hookean().find(C)), Kind::slack);
-  expect_near(make_neo_hookean().find(C).metric, make_identity<double>(), 1e-6);
+  expect_near(make_neo_hookean().find(C).metric, make_identity<double>(), 3e-6);
   const double l = 1.1;
   const double e = std::pow(l, -2) - std::pow(l, -8);
   expect_near(make_neo_hookean(std::sqrt(e)).find(C).metric, {l * l, l * l, 0.},
@@ -221,7 +222,8 @@ TEST(TensionField, StressIsTheAutomaticDerivativeOfTheEnergy)
     const SymmetricTensor2<First> variable = make_first(C, 0);
     const auto wrinkles =
         find_wrinkles(point.elastomer, variable, nullptr, point.field,
-                      stress(point.elastomer, variable, nullptr, point.field));
+                      stress(point.elastomer, variable, nullptr, point.field),
+                      get_wrinkle_stiffness(point.elastomer));
     const First energy_r =
         energy(point.elastomer, wrinkles.metric, nullptr, point.field) +
         compute_wrinkle_energy(wrinkles, variable);
@@ -242,14 +244,6 @@ TEST(TensionField, StiffnessIsTheDerivativeOfTheStress)
       expect_near(D, differences, 1e-6 * (norm(D) + 1e3));
       EXPECT_LT(get_asymmetry(D) * norm(D), 1e-9 * norm(differences) + 1e-6);
     }
-}
-
-/// The smaller principal stress of the flat film times J.
-double get_smaller(const Point& point, const Tensor& C)
-{
-  const Tensor S = point.get_flat_stress(C);
-  const auto directions = find_directions(C, S);
-  return contract(directions.across, S, directions.across);
 }
 
 /// The width between 0.3 and 2 at which `is_beyond` changes, by bisection.
@@ -291,8 +285,9 @@ TEST(TensionField, BeginsSmoothly)
   {
     const auto make = [](const double width)
     { return make_turned(1.6, width, .7); };
-    const double width = find_width(
-        [&](const double w) { return get_smaller(point, make(w)) > 0.; });
+    const double width =
+        find_width([&](const double w)
+                   { return get_kind(point.find(make(w))) == Kind::taut; });
     expect_smooth_switch(point, make, width, Kind::wrinkled, Kind::taut);
   }
 }
@@ -325,7 +320,8 @@ TEST(TensionField, DoesNotDependOnTheAxes)
 
 TEST(TensionField, CarriesNoCompression)
 {
-  // T = S* + 2 delta G E has no negative eigenvalue, and none in the wrinkles.
+  // T = S* + 2 delta G (1 + E) has no negative eigenvalue, and none in the
+  // wrinkles.
   const Point point = make_viscous(2e6);
   for (const State& state : make_states(0))
   {
@@ -378,15 +374,14 @@ TEST(TensionField, FreeFilmBeyondPullInIsRefused)
 TEST(TensionField, RegularisationDoesNotMatter)
 {
   Point point = make_viscous(2e6), half = point, tenfold = point;
-  half.delta = .5 * wrinkle_stiffness;
-  tenfold.delta = 10. * wrinkle_stiffness;
+  half.delta = .5 * point.delta;
+  tenfold.delta = 10. * point.delta;
   for (const auto& [kind, C] : some_states)
     for (const Point& other : {half, tenfold})
     {
-      EXPECT_NEAR(other.get_energy(C), point.get_energy(C),
-                  1e-4 * point.get_energy(C));
-      expect_near(other.get_stress(C), point.get_stress(C),
-                  1e-4 * shear_modulus(point.elastomer));
+      const double modulus = shear_modulus(point.elastomer);
+      EXPECT_NEAR(other.get_energy(C), point.get_energy(C), 1e-4 * modulus);
+      expect_near(other.get_stress(C), point.get_stress(C), 1e-4 * modulus);
     }
 }
 

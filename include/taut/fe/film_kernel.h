@@ -27,10 +27,10 @@ struct BatchLaw
 {
   const material::Elastomer* elastomer;
   material::Field field;
-  /// Whether the film wrinkles instead of carrying compression: all that
-  /// depends on C = F^T F then does so through the metric C* of the wrinkled
-  /// film (see taut/material/tension_field.h).
-  bool tension_field;
+  /// What wrinkles cost (Pa, see taut/material/tension_field.h): all that
+  /// depends on C = F^T F does so through the metric C* of the wrinkled film.
+  /// 0: the film carries compression.
+  double wrinkle_stiffness;
 };
 
 /// Where a spring was stretched beyond its limit.

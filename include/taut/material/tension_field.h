@@ -4,33 +4,36 @@
 
 // A film that wrinkles or goes slack instead of carrying compression. Its
 // energy is the smallest that wrinkles finer than the film can reach,
-//   W_r(C, A) = min over E >= 0 of W(C + E, A) + delta G/2 E : E,
-// with G the modulus of the springs. The small second term, `wrinkle_stiffness`
-// = delta, keeps a slack film from being without any stiffness. Stresses, rates
-// and charges are those at the metric C* = C + E of the wrinkled film.
+//   W_r(C, A) = min over E >= 0 of W(C + E, A) + delta G (tr E + E : E/2),
+// with G the modulus of the springs. The term with delta is what folding costs:
+// it keeps a slack film from being without any stiffness and a film that is
+// just not stressed from being called slack. Stresses, rates and charges are
+// those at the metric C* = C + E of the wrinkled film.
 namespace taut::material
 {
-/// Where the film is taut, if it is within the limits of its springs; S of the
-/// metric C itself, in Pa.
+/// Where the film is taut, if it is within the limits of its springs: there S
+/// of the metric C itself (Pa) bears its wrinkles, S + 2 delta G > 0.
 template <class Number>
-Mask<Number> is_taut(const SymmetricTensor2<Number>& S)
+Mask<Number> is_taut(const SymmetricTensor2<Number>& S, const double stiffness)
 {
   const Number zero(0.);
-  return is_less(zero, S.xx) & is_less(zero, compute_determinant(S));
+  const SymmetricTensor2<Number> T = {S.xx + stiffness, S.yy + stiffness, S.xy};
+  return is_less(zero, T.xx) & is_less(zero, compute_determinant(T));
 }
 
 /// The wrinkles of a film with metric C and S = stress(elastomer, C, ...) (Pa);
-/// none where it is taut. A film may be pressed beyond the limits of its
-/// springs as long as it is within them when wrinkled.
+/// none where it is taut. `stiffness` from get_wrinkle_stiffness. A film may be
+/// pressed beyond the limits of its springs as long as it is within them when
+/// wrinkled.
 template <class Number>
 [[gnu::flatten, gnu::noinline]] Wrinkles<Number>
 find_wrinkles(const Elastomer& elastomer, const SymmetricTensor2<Number>& C,
               InternalVariables<Number> A, const Field& field,
-              const SymmetricTensor2<Number>& S,
-              double delta = wrinkle_stiffness)
+              const SymmetricTensor2<Number>& S, const double stiffness)
 {
-  const Mask<Number> taut = is_taut(S) & is_within_limits(elastomer, C, A);
-  WrinkleSearch<Number> search(elastomer, C, A, field, delta);
+  WrinkleSearch<Number> search(elastomer, C, A, field, stiffness);
+  const Mask<Number> taut =
+      is_taut(S, stiffness) & is_within_limits(elastomer, C, A);
   Wrinkles<Number> wrinkles = search.find_one_direction(S, !taut);
   // Both directions where tension is lost along the wrinkles as well, or
   // wrinkles across one direction alone have no end.
@@ -43,7 +46,7 @@ find_wrinkles(const Elastomer& elastomer, const SymmetricTensor2<Number>& C,
   wrinkles.amplitude = select(taut, Number(0.), wrinkles.amplitude);
   wrinkles.wrinkled = !(taut | wrinkles.slack);
   wrinkles.admissible = taut | wrinkles.admissible;
-  wrinkles.stiffness = search.stiffness();
+  wrinkles.stiffness = stiffness;
   return wrinkles;
 }
 
@@ -56,13 +59,13 @@ compute_wrinkle_strain(const Wrinkles<Number>& wrinkles,
   return add_scaled(wrinkles.metric, Number(-1.), C);
 }
 
-/// delta G/2 E : E in J/m^3, the energy that W_r has beside W(C*).
+/// delta G (tr E + E : E/2) in J/m^3, the energy that W_r has beside W(C*).
 template <class Number>
 Number compute_wrinkle_energy(const Wrinkles<Number>& wrinkles,
                               const SymmetricTensor2<Number>& C)
 {
   const SymmetricTensor2<Number> E = compute_wrinkle_strain(wrinkles, C);
-  return (0.25 * wrinkles.stiffness) * contract(E, E);
+  return (0.5 * wrinkles.stiffness) * (E.xx + E.yy + 0.5 * contract(E, E));
 }
 
 /// How the wrinkles follow: when the stress S* at fixed E changes by dS, the

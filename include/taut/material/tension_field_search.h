@@ -100,7 +100,7 @@ public:
   /// What is searched for: see find_wrinkles. `internal` outlives the search.
   WrinkleSearch(const Elastomer& elastomer, const SymmetricTensor2<Number>& C,
                 InternalVariables<Number> internal, const Field& field,
-                double delta);
+                double stiffness);
 
   /// Wrinkles in one direction where `wanted`, S the stress of C.
   Wrinkles<Number> find_one_direction(const SymmetricTensor2<Number>& S,
@@ -109,12 +109,6 @@ public:
   /// Replaces the wrinkles where `wanted` by those in both directions.
   void find_both_directions(const Mask<Number>& wanted,
                             Wrinkles<Number>& wrinkles);
-
-  /// 2 delta G (Pa).
-  double stiffness() const
-  {
-    return stiffness_;
-  }
 
 private:
   using Tensor = SymmetricTensor2<Number>;
@@ -149,26 +143,16 @@ private:
   const InternalVariables<Number> internal_;
   const Field field_;
   const NeoHookeanTwin<Number> twin_;
-  double modulus_, stiffness_;
+  const double stiffness_; ///< 2 delta G (Pa)
 };
-
-/// The modulus (Pa) that scales the stiffness of wrinkles: that of the springs,
-/// which networks relax to; of the networks if there is no spring.
-inline double get_lasting_modulus(const Elastomer& elastomer)
-{
-  const double lasting = shear_modulus(relaxed(elastomer));
-  return lasting > 0. ? lasting : shear_modulus(elastomer);
-}
 
 template <class Number>
 WrinkleSearch<Number>::WrinkleSearch(const Elastomer& elastomer,
                                      const SymmetricTensor2<Number>& C,
                                      InternalVariables<Number> internal,
-                                     const Field& field, const double delta)
+                                     const Field& field, const double stiffness)
     : elastomer_(elastomer), C_(C), internal_(internal), field_(field),
-      twin_(elastomer, C, internal, field),
-      modulus_(get_lasting_modulus(elastomer)),
-      stiffness_(2. * delta * modulus_)
+      twin_(elastomer, C, internal, field), stiffness_(stiffness)
 {
 }
 
@@ -266,7 +250,8 @@ template <class Number>
 Mask<Number> WrinkleSearch<Number>::is_bounded(const Tensor& metric) const
 {
   const Tensor E = add_scaled(metric, Number(-1.), C_);
-  const double bound = largest_share * modulus_ / stiffness_;
+  const double bound =
+      largest_share * get_lasting_modulus(elastomer_) / stiffness_;
   return is_less(contract(E, E), Number(bound * bound));
 }
 

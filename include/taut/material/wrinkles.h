@@ -4,8 +4,23 @@
 
 namespace taut::material
 {
-/// delta, the stiffness of wrinkles relative to that of the springs.
-constexpr double wrinkle_stiffness = 1e-6;
+/// The modulus (Pa) that networks relax to, that of the springs; of the
+/// networks if there is no spring.
+inline double get_lasting_modulus(const Elastomer& elastomer)
+{
+  double modulus = 0.;
+  for (const Spring& spring : elastomer.springs)
+    modulus += shear_modulus(spring);
+  return modulus > 0. ? modulus : shear_modulus(elastomer);
+}
+
+/// What wrinkles cost, 2 delta G (Pa), relative to the lasting modulus G:
+/// little enough not to matter.
+inline double get_wrinkle_stiffness(const Elastomer& elastomer,
+                                    const double delta = 1e-6)
+{
+  return 2. * delta * get_lasting_modulus(elastomer);
+}
 
 /// A material line (tangent vector) of the film.
 template <class Number>
@@ -101,8 +116,8 @@ Matrix3<Number> compute_inverse(const Matrix3<Number>& a)
   return result;
 }
 
-/// D + 2 delta G diag(2, 2, 1): the derivative of S + 2 delta G E by the half
-/// of E in engineering components.
+/// D + 2 delta G diag(2, 2, 1): the derivative of T by the half of E in
+/// engineering components.
 template <class Number>
 Matrix3<Number> add_wrinkle_stiffness(const Matrix3<Number>& D,
                                       const double stiffness)
@@ -114,13 +129,17 @@ Matrix3<Number> add_wrinkle_stiffness(const Matrix3<Number>& D,
   return result;
 }
 
-/// T = S + 2 delta G E, twice the derivative of the minimised energy by E.
+/// T = S + 2 delta G (1 + E), twice the derivative of the minimised energy by
+/// E.
 template <class Number>
 SymmetricTensor2<Number> compute_wrinkle_tension(
     const SymmetricTensor2<Number>& metric, const SymmetricTensor2<Number>& C,
     const SymmetricTensor2<Number>& S, const double stiffness)
 {
-  return add_scaled(S, Number(stiffness), add_scaled(metric, Number(-1.), C));
+  const Number factor(stiffness);
+  return {S.xx + factor * (1. + (metric.xx - C.xx)),
+          S.yy + factor * (1. + (metric.yy - C.yy)),
+          S.xy + factor * (metric.xy - C.xy)};
 }
 
 /// The conditions on wrinkles in one direction, w_1 . T w_1 = 0 and
