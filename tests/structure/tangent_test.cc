@@ -19,11 +19,20 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Curved sheet with two materials, an electrode, pressure, networks, hanging
 /// nodes and a bar that is free to rotate.
-std::unique_ptr<testing::Model> make_everything(const unsigned int degree)
+struct Parameters
+{
+  unsigned int degree;
+  /// Stretches at which the film is taut, wrinkled or slack.
+  std::array<double, 2> pre_stretch;
+};
+
+std::unique_ptr<testing::Model> make_everything(const Parameters& parameters)
 {
   structure::Device device;
+  const unsigned int degree = parameters.degree;
   device.mesh.degree = degree;
-  auto film = testing::make_film(material::Gent{2e4, 60}, 1e-3, {{1.5, 2}});
+  auto film =
+      testing::make_film(material::Gent{2e4, 60}, 1e-3, parameters.pre_stretch);
   film.material.networks = {{material::Gent{1e4, 60}, 0.01},
                             {material::NeoHookean{5e3}, 1}};
   film.axis = {{1, 0.3, 0}};
@@ -71,7 +80,7 @@ double norm(const std::vector<double>& values)
   return std::sqrt(dealii::Utilities::MPI::sum(square, MPI_COMM_WORLD));
 }
 
-class Tangent : public ::testing::TestWithParam<unsigned int>
+class Tangent : public ::testing::TestWithParam<Parameters>
 {
 };
 
@@ -174,6 +183,10 @@ TEST_P(Tangent, symmetric_when_networks_are_frozen)
   EXPECT_NEAR(b_Ka, a_Kb, 1e-12 * norm(b) * norm(Ka));
 }
 
-INSTANTIATE_TEST_SUITE_P(degrees, Tangent, ::testing::Values(1u, 2u));
+INSTANTIATE_TEST_SUITE_P(degrees, Tangent,
+                         ::testing::Values(Parameters{1, {{1.5, 2}}},
+                                           Parameters{2, {{1.5, 2}}},
+                                           Parameters{2, {{1.5, .5}}},
+                                           Parameters{2, {{.6, .5}}}));
 } // namespace
 } // namespace taut

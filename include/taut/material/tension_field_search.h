@@ -121,7 +121,7 @@ private:
 
   static constexpr unsigned int most_iterations = 40;
   /// Of a Newton step, which leaves the square of it.
-  static constexpr double tolerance = 1e-7;
+  static constexpr double tolerance = 1e-6;
   /// Share of the modulus that the regularising term may carry.
   static constexpr double largest_share = 1e-2;
 
@@ -186,7 +186,7 @@ auto WrinkleSearch<Number>::retreat(const Trial& trial, const Trial& to)
 }
 
 /// With y = 1/(1 + a)^2 the tension of the twin across its wrinkles is
-/// pull - field det C - y push/det C.
+/// pull - field det C - y push/det C, plus 2 delta G v . (1 + a v v^T) v.
 template <class Number>
 auto WrinkleSearch<Number>::make_first_trial(const Tensor& S) const -> Trial
 {
@@ -198,7 +198,10 @@ auto WrinkleSearch<Number>::make_first_trial(const Tensor& S) const -> Trial
       contract(directions.across, twin_.pull, directions.across);
   const Number left =
       get_larger_number<Number>(pull - twin_.field * det, 0.05 * pull);
-  const Number square = twin_.push / (det * left);
+  const Number without_cost = sqrt(twin_.push / (det * left)) - 1.;
+  const Number v2 = dot(directions.across, directions.across);
+  const Number cost = stiffness_ * v2 * (1. + without_cost * v2);
+  const Number square = twin_.push / (det * (left + cost));
   return {directions, sqrt(get_larger_number<Number>(square, Number(1.))) - 1.};
 }
 
