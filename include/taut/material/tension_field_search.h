@@ -283,9 +283,10 @@ WrinkleSearch<Number>::find_one_direction(const Tensor& S,
     const Trial next = make_step(trial, equations, converged);
     const Mask<Number> advances = active & within;
     wrinkles.tension = select(advances, equations.along, wrinkles.tension);
-    const Trial back = retreat(trial, fine);
+    if (any(active & (!within)))
+      trial = choose_trial(within, trial, retreat(trial, fine));
     fine = choose_trial(advances, trial, fine);
-    trial = choose_trial(advances, next, choose_trial(active, back, trial));
+    trial = choose_trial(advances, next, trial);
     active = active & !(within & converged);
   }
   wrinkles.metric = make_metric(trial);
