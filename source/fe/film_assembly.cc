@@ -112,10 +112,9 @@ void add_stiffness(const FilmCells& cells, const std::vector<BatchLaw>& laws,
             ? request.alpha *
                   (request.alpha + request.air_drag / law.elastomer->density)
             : 0.;
-    // On a bar, forces and inertia follow different maps: see fe::Bar.
-    const bool on_bar = matrix.on_bar(batch);
+    const bool turns = matrix.turns(batch);
     compute_stiffness(cells.geometry(batch), law, element.values.data(),
-                      on_bar ? 0. : mass_factor, x.data(), A.data(),
+                      turns ? 0. : mass_factor, x.data(), A.data(),
                       request.alpha, request.symmetric, K.data());
     for (const auto& [load, i] : pressures_of[batch])
       add_pressure_stiffness(element.n_nodes, element.values.data(),
@@ -123,7 +122,7 @@ void add_stiffness(const FilmCells& cells, const std::vector<BatchLaw>& laws,
                              load->batches[i].active.data(), x.data(),
                              load->pressure, request.symmetric, K.data());
     matrix.add_batch(batch, K.data(), request.symmetric, request.positions);
-    if (on_bar && mass_factor != 0)
+    if (turns && mass_factor != 0)
     {
       compute_mass(cells.geometry(batch), element.values.data(),
                    mass_factor * law.elastomer->density, K.data());

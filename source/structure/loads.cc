@@ -26,6 +26,10 @@ LoadHistory::LoadHistory(const Device& device)
                      [](const EdgeLoad& e) { return e.force; })),
       amplitudes_(collect(device.supports,
                           [](const Support& s) { return s.amplitude; })),
+      point_forces_(collect(device.point_loads,
+                            [](const PointLoad& l) { return l.force; })),
+      point_moments_(collect(device.point_loads,
+                             [](const PointLoad& l) { return l.moment; })),
       start_(-std::numeric_limits<double>::infinity()),
       end_(std::numeric_limits<double>::infinity())
 {
@@ -34,7 +38,8 @@ LoadHistory::LoadHistory(const Device& device)
 template <typename Function>
 void LoadHistory::for_each_signal(const Function& function) const
 {
-  for (const auto* list : {&voltages_, &pressures_, &edges_, &amplitudes_})
+  for (const auto* list : {&voltages_, &pressures_, &edges_, &amplitudes_,
+                           &point_forces_, &point_moments_})
     for (const auto& signal : *list)
       function(signal);
 }
@@ -75,6 +80,9 @@ LoadState LoadHistory::at(const double time) const
   fill(pressures_, state.pressures, state.pressure_rates);
   fill(edges_, state.edge_forces, state.edge_rates);
   fill(amplitudes_, state.amplitudes, state.amplitude_rates);
+  fill(point_forces_, state.point_forces, state.point_force_rates);
+  for (const auto& signal : point_moments_)
+    state.point_moments.push_back(read(signal, time));
   for (const auto& signal : amplitudes_)
     state.amplitude_second_rates.push_back(signal.second_rate(inside(time)));
   return state;

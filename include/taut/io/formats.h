@@ -1,5 +1,6 @@
 #pragma once
 
+#include <taut/base/exceptions.h>
 #include <taut/base/signal.h>
 
 #include <array>
@@ -105,7 +106,14 @@ Format<std::optional<T>> optionally(const Format<T>& format,
   {
     if (text == otherwise)
       return std::nullopt;
-    return format.read(text);
+    try
+    {
+      return format.read(text);
+    }
+    catch (const BadInput& problem)
+    {
+      throw BadInput(problem.message() + ", or '" + otherwise + "'");
+    }
   };
   result.write = [=](const std::optional<T>& value)
   { return value ? format.write(*value) : otherwise; };
