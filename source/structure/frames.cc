@@ -1,3 +1,4 @@
+#include <taut/material/temperature_law.h>
 #include <taut/structure/frames.h>
 
 #include <algorithm>
@@ -55,15 +56,18 @@ Frames::Frames(const Device& device, const FrameNodes& frame_nodes,
 }
 
 fe::BeamStiffness Frames::get_stiffness(const unsigned int frame,
-                                        const LoadState& /*loads*/) const
+                                        const LoadState& loads) const
 {
   const BeamSection& section = device_.frames[frame].section;
+  const double factor =
+      stiffening_ * material::compute_factor(device_.frames[frame].modulus_law,
+                                             loads.frame_temperatures[frame]);
   fe::BeamStiffness stiffness{
       {section.axial_stiffness, section.shear_stiffness[0],
        section.shear_stiffness[1], section.torsional_stiffness,
        section.bending_stiffness[0], section.bending_stiffness[1]}};
   for (double& entry : stiffness)
-    entry *= stiffening_;
+    entry *= factor;
   return stiffness;
 }
 

@@ -162,12 +162,13 @@ TEST(FieldsWriter, FramesHoldEveryCellAndField)
     const ptree& fields =
         tree.get_child(is_record ? "VTKFile.PUnstructuredGrid.PPointData"
                                  : "VTKFile.UnstructuredGrid.Piece.PointData");
-    for (const char* name : {"displacement", "velocity", "stress_direction_1"})
+    for (const char* name : {"displacement", "velocity", "stress_direction_1",
+                             "wrinkle_direction"})
       EXPECT_EQ(count_components(fields, p + "DataArray", name), 3) << name;
     for (const char* name :
          {"stretch_1", "stretch_2", "stress_1", "stress_2", "true_field",
-          "breakdown_margin", "thickness", "tension", "network_1_stretch_1",
-          "film", "electrode", "rank"})
+          "breakdown_margin", "thickness", "wrinkle_strain", "tension",
+          "network_1_stretch_1", "film", "electrode", "rank"})
       EXPECT_EQ(count_components(fields, p + "DataArray", name), 1) << name;
   }
 }
@@ -427,6 +428,7 @@ TEST(FilmPatches, UniformFieldsReachTheNodes)
       {"breakdown_margin", 1},
       {"network_1_stretch_1", 1},
       {"tension", 0},
+      {"wrinkle_strain", 0},
       {"electrode", -1}};
   for (const auto& patch : film.patches)
     for (const auto& [name, value] : expected)

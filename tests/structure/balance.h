@@ -7,16 +7,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 /// The balance of energy, total + dissipated + lost - work = constant.
 namespace taut::testing
 {
 /// Largest change of the balance in a run, over the largest change of the
-/// total energy.
-inline double compute_drift(structure::StructureSystem& system,
-                            const double end,
-                            const time::IntegratorOptions& options)
+/// total energy; `watch` sees every step.
+inline double
+compute_drift(structure::StructureSystem& system, const double end,
+              const time::IntegratorOptions& options,
+              const std::function<void(double, const double*)>& watch = {})
 {
   auto state =
       system.make_initial_state(0, structure::Start::unrelaxed, true, {});
@@ -33,6 +35,8 @@ inline double compute_drift(structure::StructureSystem& system,
   time::Observer observer;
   observer.step = [&](const time::Step& step, const auto&)
   {
+    if (watch)
+      watch(step.end(), step.state());
     drift =
         std::max(drift, std::abs(balance(step.end(), step.state()) - first));
     change = std::max(
