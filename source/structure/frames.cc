@@ -164,6 +164,28 @@ double Frames::compute_energy(const LoadState& loads,
   return energy;
 }
 
+double Frames::compute_heat_power(const LoadState& loads,
+                                  const fe::NodalVector& positions) const
+{
+  double power = 0;
+  for (const auto& element : elements_)
+  {
+    const double rate = loads.frame_temperature_rates[element.frame];
+    if (!element.assembled_here || rate == 0)
+      continue;
+    const auto& law = device_.frames[element.frame].modulus_law;
+    const double temperature = loads.frame_temperatures[element.frame];
+    // The energy is the factor of the law times one that does not change.
+    power +=
+        rate * material::compute_factor_derivative(law, temperature) /
+        material::compute_factor(law, temperature) *
+        element.beam.compute_energy(
+            get_stiffness(element.frame, loads),
+            element.beam.compute_strains(gather(element, positions).data()));
+  }
+  return power;
+}
+
 std::vector<BeamResultants>
 Frames::predict_strains(const std::size_t index,
                         const std::vector<double>& unknowns) const
