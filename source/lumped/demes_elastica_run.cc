@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clamped_elastica.h"
+#include "demes_elastica_clamped.h"
 
 namespace taut::lumped
 {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "radau_rule.h"
+#include "demes_radau_rule.h"
 
 namespace taut::lumped
 {
