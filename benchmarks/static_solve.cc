@@ -69,6 +69,7 @@ void static_solve(benchmark::State& state)
           {
             matrix = std::make_unique<fe::TangentMatrix>(
                 structure.nodes(), structure.cells(),
+                std::vector<std::vector<fe::LocalNode>>{},
                 fe::TangentMatrix::Coupling::full);
           });
       const auto assemble = [&]

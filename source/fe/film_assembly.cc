@@ -106,10 +106,9 @@ void add_stiffness(const FilmCells& cells, const std::vector<BatchLaw>& laws,
             ? request.alpha *
                   (request.alpha + request.air_drag / law.elastomer->density)
             : 0.;
-    // On a bar, forces and inertia follow different maps: see fe::Bar.
-    const bool on_bar = matrix.on_bar(batch);
+    const bool turns = matrix.turns(batch);
     compute_stiffness(cells.geometry(batch), law, element.values.data(),
-                      on_bar ? 0. : mass_factor, x.data(), A.data(),
+                      turns ? 0. : mass_factor, x.data(), A.data(),
                       request.alpha, request.symmetric, K.data());
     for (const auto& [load, i] : pressures_of[batch])
       add_pressure_stiffness(element.n_nodes, element.values.data(),
@@ -117,7 +116,7 @@ void add_stiffness(const FilmCells& cells, const std::vector<BatchLaw>& laws,
                              load->batches[i].active.data(), x.data(),
                              load->pressure, request.symmetric, K.data());
     matrix.add_batch(batch, K.data(), request.symmetric, request.positions);
-    if (on_bar && mass_factor != 0)
+    if (turns && mass_factor != 0)
     {
       compute_mass(cells.geometry(batch), element.values.data(),
                    mass_factor * law.elastomer->density, K.data());
@@ -258,19 +257,21 @@ void set_relaxed(const FilmCells& cells, const NodalVector& positions,
   const unsigned int n = cells.element().n_nodes;
   const auto metric = compute_metric(cells, positions);
   for (unsigned int cell = 0; cell < cells.cells().size(); ++cell)
+  {
+    const auto& networks =
+        cells.films()[cells.cells()[cell].film].elastomer->networks;
+    double* A = internal + cells.first_internal(cell);
     for (unsigned int q = 0; q < n; ++q)
-    {
-      const auto& [xx, yy, xy] = metric[cell * n + q];
-      const double det = xx * yy - xy * xy;
-      double* A = internal + cells.first_internal(cell) +
-                  3ul * q * cells.n_networks(cell);
-      for (unsigned int m = 0; m < cells.n_networks(cell); ++m)
+      for (const material::Network& network : networks)
       {
-        A[3 * m] = yy / det;
-        A[3 * m + 1] = xx / det;
-        A[3 * m + 2] = -xy / det;
+        const auto& [xx, yy, xy] = metric[cell * n + q];
+        const auto at_rest = material::relaxed_internal(
+            network, material::SymmetricTensor2<double>{xx, yy, xy});
+        *A++ = at_rest.xx;
+        *A++ = at_rest.yy;
+        *A++ = at_rest.xy;
       }
-    }
+  }
 }
 
 void set_unrelaxed(const FilmCells& cells, double* internal)

@@ -17,6 +17,28 @@ Vector3 get(const NodalVector& vector, const LocalNode node)
           entry(vector, 3 * node + 2)};
 }
 
+/// dx = dc + d(R(Q) arm)/dQ dQ; without `positions`, dx = dc.
+void distribute_follower_change(const Nodes& nodes, const Follower& follower,
+                                const NodalVector* positions, NodalVector& dx)
+{
+  Vector3 change = get(dx, follower.centre);
+  if (positions)
+  {
+    const Rotation& rotation = nodes.rotations[follower.rotation];
+    const ArmDerivative derivative = compute_arm_derivative(
+        get_quaternion(rotation, *positions), follower.arm);
+    const Quaternion dQ = get_quaternion(rotation, dx);
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      change[i] += derivative.by_scalar[i] * dQ[0];
+      for (unsigned int j = 0; j < 3; ++j)
+        change[i] += derivative.by_vector[3 * i + j] * dQ[1 + j];
+    }
+  }
+  for (unsigned int i = 0; i < 3; ++i)
+    entry(dx, 3 * follower.node + i) = change[i];
+}
+
 /// |d_0| (1 - n n^T)/|d| v: the change of |d_0| n when d changes by v; itself
 /// symmetric, so it also moves forces back to d.
 Vector3 turn(const Bar& bar, const NodalVector& positions, const Vector3& v)
@@ -59,6 +81,15 @@ void distribute_positions(const Nodes& nodes, NodalVector& positions)
     for (unsigned int i = 0; i < 3; ++i)
       entry(positions, 3 * on_bar.node + i) = c[i] + scale * d[i];
   }
+  for (const auto& follower : nodes.followers)
+  {
+    const Vector3 arm =
+        rotate(get_quaternion(nodes.rotations[follower.rotation], positions),
+               follower.arm);
+    for (unsigned int i = 0; i < 3; ++i)
+      entry(positions, 3 * follower.node + i) =
+          entry(positions, 3 * follower.centre + i) + arm[i];
+  }
   for (const auto& hanging : nodes.hanging)
     for (unsigned int i = 0; i < 3; ++i)
     {
@@ -81,6 +112,8 @@ void distribute_change(const Nodes& nodes, const NodalVector* positions,
     for (unsigned int i = 0; i < 3; ++i)
       entry(dx, 3 * on_bar.node + i) = dc[i] + on_bar.fraction * turned[i];
   }
+  for (const auto& follower : nodes.followers)
+    distribute_follower_change(nodes, follower, positions, dx);
   for (const auto& hanging : nodes.hanging)
     for (unsigned int i = 0; i < 3; ++i)
     {
@@ -120,10 +153,38 @@ void collect_bar_forces(const Nodes& nodes, const NodalVector* positions,
   }
 }
 
+void collect_follower_forces(const Nodes& nodes, const NodalVector* positions,
+                             NodalVector& forces)
+{
+  for (const auto& follower : nodes.followers)
+  {
+    const Vector3 force = get(forces, follower.node);
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      entry(forces, 3 * follower.centre + i) += force[i];
+      entry(forces, 3 * follower.node + i) = 0;
+    }
+    if (!positions)
+      continue;
+    const Rotation& rotation = nodes.rotations[follower.rotation];
+    const ArmDerivative derivative = compute_arm_derivative(
+        get_quaternion(rotation, *positions), follower.arm);
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      entry(forces, 3 * rotation.scalar()) +=
+          derivative.by_scalar[i] * force[i];
+      for (unsigned int j = 0; j < 3; ++j)
+        entry(forces, 3 * rotation.vector + j) +=
+            derivative.by_vector[3 * i + j] * force[i];
+    }
+  }
+}
+
 void collect_forces(const Nodes& nodes, const NodalVector* positions,
                     NodalVector& forces)
 {
   collect_hanging_forces(nodes, forces);
   collect_bar_forces(nodes, positions, forces);
+  collect_follower_forces(nodes, positions, forces);
 }
 } // namespace taut::fe

@@ -30,14 +30,33 @@ Block make_identity(const double factor)
   return {factor, 0, 0, 0, factor, 0, 0, 0, factor};
 }
 
-Block multiply(const Block& a, const double* b, const std::size_t stride)
+/// a^T b.
+Block multiply_transposed(const Block& a, const double* b)
 {
   Block result;
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
-      result[3 * i + j] = a[3 * i] * b[j] + a[3 * i + 1] * b[stride + j] +
-                          a[3 * i + 2] * b[2 * stride + j];
+      result[3 * i + j] =
+          a[i] * b[j] + a[3 + i] * b[3 + j] + a[6 + i] * b[6 + j];
   return result;
+}
+
+/// a b.
+Block multiply(const Block& a, const Block& b)
+{
+  Block result;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      result[3 * i + j] =
+          a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
+  return result;
+}
+
+Block scale(Block block, const double factor)
+{
+  for (double& entry : block)
+    entry *= factor;
+  return block;
 }
 
 /// d(|d_0| n)/dd at the bar's current director.
@@ -70,11 +89,16 @@ int find_entry(const PetscInt* row_start, const PetscInt* columns,
 }
 } // namespace
 
-TangentMatrix::TangentMatrix(const Nodes& nodes, const FilmCells& cells,
-                             const Coupling coupling)
+TangentMatrix::TangentMatrix(
+    const Nodes& nodes, const FilmCells& cells,
+    const std::vector<std::vector<LocalNode>>& elements,
+    const Coupling coupling)
     : nodes_(nodes), cells_(cells), coupling_(coupling),
-      hanging_index_(nodes.n_local, -1), bar_index_(nodes.n_local, -1)
+      hanging_index_(nodes.n_local, -1), bar_index_(nodes.n_local, -1),
+      follower_index_(nodes.n_local, -1)
 {
+  for (unsigned int i = 0; i < nodes.followers.size(); ++i)
+    follower_index_[nodes.followers[i].node] = i;
   for (unsigned int i = 0; i < nodes.hanging.size(); ++i)
     hanging_index_[nodes.hanging[i].node] = i;
   for (unsigned int i = 0; i < nodes.on_bar.size(); ++i)
@@ -90,17 +114,14 @@ TangentMatrix::TangentMatrix(const Nodes& nodes, const FilmCells& cells,
                                   }));
   for (const auto& batch : cells.batches())
   {
-    bool on_bar = false;
     std::vector<Term> terms;
     for (unsigned int lane = 0; lane < batch.n_cells; ++lane)
       for (const auto node : cells.cells()[batch.cells[lane]].nodes)
         expand(node, nullptr, 1, terms);
-    for (const auto& term : terms)
-      for (const auto& bar : nodes.bars)
-        on_bar = on_bar || term.master == bar.director;
-    on_bar_.push_back(on_bar);
+    turns_.push_back(std::any_of(terms.begin(), terms.end(),
+                                 [](const Term& term) { return term.turns; }));
   }
-  create();
+  create(elements);
   find_positions();
 }
 
@@ -120,17 +141,34 @@ void TangentMatrix::expand(const LocalNode node, const NodalVector* positions,
   {
     const BarNode& on_bar = nodes_.on_bar[bar_index_[node]];
     const Bar& bar = nodes_.bars[on_bar.bar];
-    terms.push_back({bar.centre, make_identity(weight)});
-    Block block = positions ? make_turn(bar, *positions) : make_identity(1);
-    for (double& entry : block)
-      entry *= weight * on_bar.fraction;
-    terms.push_back({bar.director, block});
+    const Block block =
+        positions ? make_turn(bar, *positions) : make_identity(1);
+    terms.push_back({bar.centre, make_identity(weight), true});
+    terms.push_back(
+        {bar.director, scale(block, weight * on_bar.fraction), true});
+  }
+  else if (follower_index_[node] >= 0)
+  {
+    const Follower& follower = nodes_.followers[follower_index_[node]];
+    const Rotation& rotation = nodes_.rotations[follower.rotation];
+    terms.push_back({follower.centre, make_identity(weight), true});
+    Block by_vector{}, by_scalar{};
+    if (positions)
+    {
+      const auto derivative = compute_arm_derivative(
+          get_quaternion(rotation, *positions), follower.arm);
+      by_vector = scale(derivative.by_vector, weight);
+      for (unsigned int i = 0; i < 3; ++i)
+        by_scalar[3 * i] = weight * derivative.by_scalar[i];
+    }
+    terms.push_back({rotation.vector, by_vector, true});
+    terms.push_back({rotation.scalar(), by_scalar, true});
   }
   else
-    terms.push_back({node, make_identity(weight)});
+    terms.push_back({node, make_identity(weight), false});
 }
 
-void TangentMatrix::create()
+void TangentMatrix::create(const std::vector<std::vector<LocalNode>>& elements)
 {
   using dealii::types::global_dof_index;
   dealii::IndexSet owned(nodes_.n_global), relevant(nodes_.n_global);
@@ -139,16 +177,21 @@ void TangentMatrix::create()
   relevant.add_indices(nodes_.ghosts.begin(), nodes_.ghosts.end());
   dealii::DynamicSparsityPattern pattern(nodes_.n_global, nodes_.n_global,
                                          relevant);
-  std::vector<Term> terms;
-  for (const auto& cell : cells_.cells())
+  const auto couple = [&](const std::vector<LocalNode>& members)
   {
-    terms.clear();
-    for (const auto node : cell.nodes)
+    std::vector<Term> terms;
+    for (const auto node : members)
       expand(node, nullptr, 1, terms);
     for (const auto& a : terms)
       for (const auto& b : terms)
         pattern.add(nodes_.global(a.master), nodes_.global(b.master));
-  }
+  };
+  for (const auto& cell : cells_.cells())
+    couple(cell.nodes);
+  for (const auto& element : elements)
+    couple(element);
+  for (const auto& rotation : nodes_.rotations)
+    couple({rotation.vector, rotation.scalar()});
   for (const auto& bar : nodes_.bars)
     for (const LocalNode a : {bar.centre, bar.director})
       if (a < nodes_.n_local)
@@ -278,14 +321,37 @@ void TangentMatrix::add_folded(const unsigned int cell, const unsigned int lane,
           const std::size_t column = mirrored ? 3 * a + i : 3 * b + j;
           block[3 * i + j] = stiffness[(row * 3 * n + column) * 8 + lane];
         }
-      for (const auto& row : terms[a])
-        for (const auto& column : terms[b])
-        {
-          // Every block of a Term is symmetric.
-          const Block left = multiply(row.block, block.data(), 3);
-          const Block both = multiply(left, column.block.data(), 3);
-          add_block(row.master, column.master, both.data());
-        }
+      add_folded(terms, a, b, block.data());
+    }
+}
+
+void TangentMatrix::add_folded(const std::vector<std::vector<Term>>& terms,
+                               const unsigned int a, const unsigned int b,
+                               const double* block)
+{
+  for (const auto& row : terms[a])
+    for (const auto& column : terms[b])
+      add_block(
+          row.master, column.master,
+          multiply(multiply_transposed(row.block, block), column.block).data());
+}
+
+void TangentMatrix::add_element(const std::vector<LocalNode>& nodes,
+                                const double* matrix,
+                                const NodalVector* positions)
+{
+  const std::size_t n = nodes.size();
+  std::vector<std::vector<Term>> terms(n);
+  for (std::size_t a = 0; a < n; ++a)
+    expand(nodes[a], positions, 1, terms[a]);
+  Block block;
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = 0; b < n; ++b)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          block[3 * i + j] = matrix[(3 * a + i) * 3 * n + 3 * b + j];
+      add_folded(terms, a, b, block.data());
     }
 }
 

@@ -111,16 +111,28 @@ dealii::SubCellData make_lines(const MeshData& mesh)
   }
   return lines;
 }
+
+/// The vertices of quads, which come first; p4est allows no others.
+std::vector<dealii::Point<3>> make_vertices(const MeshData& mesh)
+{
+  unsigned int n = 0;
+  for (const MeshQuad& quad : mesh.quads)
+    for (const unsigned int vertex : quad.vertices)
+      n = std::max(n, vertex + 1);
+  std::vector<dealii::Point<3>> vertices;
+  for (unsigned int v = 0; v < n; ++v)
+    vertices.emplace_back(mesh.vertices[v][0], mesh.vertices[v][1],
+                          mesh.vertices[v][2]);
+  return vertices;
+}
 } // namespace
 
 void create_triangulation(const MeshData& mesh, const unsigned int refinements,
                           Triangulation& triangulation)
 {
-  std::vector<dealii::Point<3>> vertices;
-  for (const Coordinates& vertex : mesh.vertices)
-    vertices.emplace_back(vertex[0], vertex[1], vertex[2]);
   const dealii::SubCellData lines = make_lines(mesh);
-  triangulation.create_triangulation(vertices, make_cells(mesh), lines);
+  triangulation.create_triangulation(make_vertices(mesh), make_cells(mesh),
+                                     lines);
   for (const auto id : triangulation.get_manifold_ids())
     if (id != dealii::numbers::flat_manifold_id)
       triangulation.set_manifold(id, dealii::FlatManifold<2, 3>());

@@ -14,26 +14,41 @@ namespace
 {
 using structure::Film;
 
-/// A film case has films, and something that holds them.
-void check_completeness(const CaseText& text, const structure::Device& device)
+/// Whether nothing needs to hold the device: frames carry their own inertia
+/// from a start at rest, but no equilibrium is unique without supports.
+bool may_drift(const study::Case& content)
 {
-  if (device.films.empty())
+  return !content.device.frames.empty() &&
+         content.procedure.analysis == structure::Analysis::transient &&
+         content.procedure.shape == study::Shape::meshed;
+}
+
+/// A case has films or frames, and something that holds them.
+void check_completeness(const CaseText& text, const study::Case& content)
+{
+  const structure::Device& device = content.device;
+  if (device.films.empty() && device.frames.empty())
     text.refuse({}, "",
-                "the case has no film: a 'subsection Film NAME' is "
-                "needed");
+                "the case has no film and no frame: a 'subsection Film NAME' "
+                "or a 'subsection Frame NAME' is needed");
   const auto holds = [](const structure::Support& support)
-  { return support.held[0] || support.held[1] || support.held[2]; };
-  if (device.supports.empty())
+  {
+    const auto& at = support.held;
+    const auto& turn = support.held_rotations;
+    return at[0] || at[1] || at[2] || turn[0] || turn[1] || turn[2];
+  };
+  if (device.supports.empty() && !may_drift(content))
     text.refuse({}, "",
-                "the film has no support and would drift freely: a "
-                "'subsection Support NAME' is needed");
+                "the device has no support and would drift freely: a "
+                "'subsection Support NAME' is needed, except for frames in a "
+                "transient run with Start shape = meshed");
   for (const structure::Support& support : device.supports)
     if (!holds(support))
       text.refuse({"Support " + support.name}, "Held",
                   "the support holds nothing");
 }
 
-/// No surface belongs to two entries of a kind.
+/// No group belongs to two entries of a kind.
 template <class Item>
 void check_groups_unique(const CaseText& text, const std::string& kind,
                          const std::string& key, const std::vector<Item>& items)
@@ -56,11 +71,11 @@ void check_pre_stretch(const CaseText& text, const Film& film,
   const double first = film.pre_stretch[0], second = film.pre_stretch[1];
   const material::SymmetricTensor2<double> C{first * first, second * second, 0};
   const material::SymmetricTensor2<double> strained{1, 1, 0};
-  const material::SymmetricTensor2<double> at_rest =
-      material::relaxed_internal(C);
-  const std::vector<material::SymmetricTensor2<double>> internal(
-      film.material.networks.size(),
-      start == structure::Start::unrelaxed ? strained : at_rest);
+  std::vector<material::SymmetricTensor2<double>> internal;
+  for (const material::Network& network : film.material.networks)
+    internal.push_back(start == structure::Start::unrelaxed
+                           ? strained
+                           : material::relaxed_internal(network, C));
   if (material::limit_margin(film.material, C, internal.data()) > 0)
     return;
   text.refuse({"Film " + film.name}, "Pre-stretch",
@@ -71,9 +86,16 @@ void check_pre_stretch(const CaseText& text, const Film& film,
 }
 
 void check_film(const CaseText& text, const Film& film,
-                const structure::Start start)
+                const study::ProcedureDescription& procedure)
 {
-  check_pre_stretch(text, film, start);
+  check_pre_stretch(text, film, procedure.start);
+  check_temperature(text, {"Film " + film.name}, film.temperature,
+                    film.thermal.modulus,
+                    "the law of the Modulus of its material", procedure);
+  check_temperature(text, {"Film " + film.name}, film.temperature,
+                    film.thermal.relaxation_time,
+                    "the law of the Relaxation time of its material",
+                    procedure);
   const auto& axis = film.axis;
   if (std::hypot(axis[0], axis[1], axis[2]) == 0)
     text.refuse({"Film " + film.name}, "Axis", "the direction has no length");
@@ -208,19 +230,23 @@ void check_lumped_resonator(const CaseText& text,
 void check_device(const CaseText& text, const CaseDraft& draft)
 {
   const structure::Device& device = draft.content.device;
-  check_completeness(text, device);
+  check_completeness(text, draft.content);
   check_method(text, draft.content.procedure);
   check_groups_unique(text, "Film", "Surfaces", device.films);
   check_groups_unique(text, "Electrode", "Surfaces", device.electrodes);
   check_groups_unique(text, "Bar", "Lines", device.bars);
+  check_groups_unique(text, "Frame", "Lines", device.frames);
+  check_groups_unique(text, "Hinge", "Points", device.hinges);
+  check_groups_unique(text, "Rigid body", "Groups", device.bodies);
   for (const Film& film : device.films)
-    check_film(text, film, draft.content.procedure.start);
+    check_film(text, film, draft.content.procedure);
   for (const structure::Support& support : device.supports)
     check_support(text, support);
   for (const structure::EdgeLoad& load : device.edge_loads)
     check_edge_load(text, load);
   for (const structure::EventDescription& event : device.events)
     check_event(text, event, device);
+  check_frames(text, draft);
 }
 } // namespace
 

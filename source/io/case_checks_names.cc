@@ -89,6 +89,7 @@ void resolve_materials(const CaseText& text, CaseDraft& draft)
                known);
     const auto position = std::find(known.begin(), known.end(), name);
     film.material = elastomers[position - known.begin()];
+    film.thermal = draft.materials[position - known.begin()].thermal;
   }
 }
 
@@ -104,6 +105,14 @@ void check_surfaces(const CaseText& text, const structure::Device& device)
     for (const std::string& group : pressure.groups)
       check_name(text, {"Pressure " + pressure.name}, "Surfaces", group,
                  "surface with a film", known);
+}
+
+std::vector<std::string> films_and_frames(const structure::Device& device)
+{
+  std::vector<std::string> names = names_in(device.films);
+  for (const std::string& name : names_in(device.frames))
+    names.push_back(name);
+  return names;
 }
 
 /// What `Of` of a probe refers to; `known` empty if to a group of the mesh.
@@ -122,6 +131,9 @@ Referred referred_by(const Probe::Kind kind, const structure::Device& device)
   case Probe::Kind::position:
   case Probe::Kind::displacement:
   case Probe::Kind::velocity:
+  case Probe::Kind::rotation:
+  case Probe::Kind::half_angle:
+  case Probe::Kind::distance:
     return {};
   case Probe::Kind::volume:
     return {"surface with a film", film_surfaces(device), true};
@@ -135,33 +147,84 @@ Referred referred_by(const Probe::Kind kind, const structure::Device& device)
     return {"electrode", names_in(device.electrodes)};
   case Probe::Kind::reaction:
     return {"support", names_in(device.supports)};
+  case Probe::Kind::frame_force:
+  case Probe::Kind::frame_moment:
+  case Probe::Kind::frame_strain:
+    return {"frame", names_in(device.frames)};
+  case Probe::Kind::temperature:
+    return {"film or frame", films_and_frames(device)};
   default:
     return {"film", names_in(device.films)};
   }
+}
+
+void check_referred(const CaseText& text, const SectionPath& section,
+                    const structure::Device& device, const Probe& probe)
+{
+  const Referred referred = referred_by(probe.kind, device);
+  if (referred.what.empty())
+    return;
+  for (const std::string& name : referred.is_list
+                                     ? split_list(probe.of)
+                                     : std::vector<std::string>{probe.of})
+  {
+    check_name(text, section, "Of", name, referred.what, referred.known);
+    if (std::count(referred.known.begin(), referred.known.end(), name) > 1 &&
+        probe.kind == Probe::Kind::temperature)
+      text.refuse(section, "Of",
+                  fmt::format("a film and a frame are both called '{}'", name));
+  }
+  if (referred.what == "film" && probe.component > 1)
+    text.refuse(section, "Component", "a film has the axes first and second");
+}
+
+/// Between which points an angle or a distance is.
+void check_two_points(const CaseText& text, const SectionPath& section,
+                      const Probe& probe)
+{
+  const std::vector<std::string> points = split_list(probe.of);
+  if (points.size() != 2 || points[0].empty() || points[1].empty() ||
+      points[0] == points[1])
+    text.refuse(section, "Of",
+                "the probe needs two physical points of the mesh, separated "
+                "by a comma");
+}
+
+void resolve_place(const CaseText& text, const SectionPath& section,
+                   const ProbePoint& point, Probe& probe)
+{
+  using Kind = Probe::Kind;
+  const bool in_frame =
+      probe.kind == Kind::frame_force || probe.kind == Kind::frame_moment;
+  const bool of_point =
+      probe.kind == Kind::position || probe.kind == Kind::displacement ||
+      probe.kind == Kind::velocity || probe.kind == Kind::rotation;
+  if (!in_frame && !probe.at.empty())
+    text.refuse(section, "At", "only a frame force or frame moment has At");
+  const bool needs_point =
+      (of_point && probe.of.empty()) || (in_frame && probe.at.empty());
+  if (needs_point && !point)
+    text.refuse(section, "Point",
+                fmt::format("the probe needs a place: give Point, or {} for a "
+                            "group of the mesh",
+                            in_frame ? "At" : "Of"));
+  if (!needs_point && point)
+    text.refuse(section, "Point",
+                "a probe of a named part has no use for Point, which goes with "
+                "position, displacement, velocity and rotation and an empty "
+                "Of, or with a frame force or moment and an empty At");
+  probe.point = point.value_or(probe.point);
 }
 
 void resolve_probe(const CaseText& text, const structure::Device& device,
                    const ProbePoint& point, Probe& probe)
 {
   const SectionPath section = {"Probe " + probe.name};
-  const Referred referred = referred_by(probe.kind, device);
-  if (!referred.what.empty())
-    for (const std::string& name : referred.is_list
-                                       ? split_list(probe.of)
-                                       : std::vector<std::string>{probe.of})
-      check_name(text, section, "Of", name, referred.what, referred.known);
-  if (referred.what == "film" && probe.component > 1)
-    text.refuse(section, "Component", "a film has the axes first and second");
-  const bool at_point = referred.what.empty() && probe.of.empty();
-  if (at_point && !point)
-    text.refuse(section, "Point",
-                "the probe needs a place: give Point, or Of for a group of "
-                "the mesh");
-  if (!at_point && point)
-    text.refuse(section, "Point",
-                "a probe of a named part has no use for Point, which goes with "
-                "position, displacement and velocity and an empty Of");
-  probe.point = point.value_or(probe.point);
+  check_referred(text, section, device, probe);
+  if (probe.kind == Probe::Kind::half_angle ||
+      probe.kind == Probe::Kind::distance)
+    check_two_points(text, section, probe);
+  resolve_place(text, section, point, probe);
 }
 
 void check_event(const CaseText& text, const EventDescription& event,
@@ -200,6 +263,7 @@ void resolve_names(const CaseText& text, CaseDraft& draft)
 {
   structure::Device& device = draft.content.device;
   resolve_materials(text, draft);
+  resolve_frames(draft);
   check_surfaces(text, device);
   for (std::size_t i = 0; i < device.probes.size(); ++i)
     resolve_probe(text, device, draft.probe_points[i], device.probes[i]);

@@ -42,6 +42,19 @@ subsection Support NAME
 end
 subsection Bar NAME
 end
+subsection Frame NAME
+end
+subsection Frame NAME (general section)
+  set Section = stiffnesses
+end
+subsection Hinge NAME
+end
+subsection Rigid body NAME
+end
+subsection Point mass NAME
+end
+subsection Point load NAME
+end
 subsection Pressure NAME
 end
 subsection Edge load NAME

@@ -49,6 +49,10 @@ void declare_film(Section& section, Film& film, std::string& material)
                    "projected into the film");
   section.optional("Temperature", film.temperature, signal("K"),
                    "temperature of the film");
+  section.optional("Fibre modulus", film.fibre_modulus,
+                   number(not_negative(), "Pa"),
+                   "of fibres across Axis, unstrained in the mesh, that hold "
+                   "the width; 0 = none");
 }
 
 void declare_electrode(Section& section, Electrode& electrode)
@@ -65,8 +69,17 @@ void declare_support(Section& section, Support& support)
   section.required("Groups", support.groups,
                    names("names of physical points, lines or surfaces"),
                    "what is held");
+  section.optional("Acts on", support.target,
+                   choice<Support::Target>({{"all", Support::Target::all},
+                                            {"film", Support::Target::film},
+                                            {"frame", Support::Target::frame}}),
+                   "whether all nodes there are held, only those of films, or "
+                   "only those of frames and rigid bodies");
   section.optional("Held", support.held, directions(),
                    "components of the position that are held");
+  section.optional("Held rotations", support.held_rotations, directions(),
+                   "components of the rotation vector of frames and rigid "
+                   "bodies that are held");
   const std::array<const char*, 3> axes{{"x", "y", "z"}};
   for (unsigned int i = 0; i < 3; ++i)
     section.optional(std::string("Shape ") + axes[i], support.shape[i], shape,
@@ -139,6 +152,7 @@ void declare_device(Declarations& all, const CaseText& text, CaseDraft& draft)
                "holds or moves points, lines or surfaces", device.supports,
                declare_support);
   declare_list(all, text, {}, "Bar", "a rigid bar", device.bars, declare_bar);
+  declare_frames(all, text, draft);
   declare_list(all, text, {}, "Pressure", "a follower pressure",
                device.pressures, declare_pressure);
   declare_list(all, text, {}, "Edge load", "a dead load on lines",

@@ -133,6 +133,8 @@ void declare_law(Section& section, const CaseText& text, const std::string& key,
                            : "unknown law; " + suggest(name, known));
 }
 
+using material::FlowLaw;
+
 void declare_network(Section& section, const CaseText& text, NamedNetwork& item)
 {
   declare_law(section, text, "Law", spring_laws(), item.law,
@@ -140,6 +142,26 @@ void declare_network(Section& section, const CaseText& text, NamedNetwork& item)
   section.required("Relaxation time", item.network.relaxation_time,
                    number(positive(), "s"),
                    "viscosity over the small-strain modulus of the spring");
+  section.optional(
+      "Flow", item.network.flow,
+      choice<FlowLaw>({{"isotropic", FlowLaw::isotropic},
+                       {"held width", FlowLaw::held_width}}),
+      "whether every direction flows alike, or only the one along Axis of the "
+      "film, as in Eq. 23 of Wang et al. (2024): for films whose width is "
+      "held");
+}
+
+void declare_temperature_laws(Section section, material::ThermalLaws& laws)
+{
+  section.optional("Modulus", laws.modulus, temperature_law(),
+                   "factor on all moduli of springs and networks");
+  section.optional("Relaxation time", laws.relaxation_time, temperature_law(),
+                   "factor on all relaxation times");
+  section.optional("Heat capacity", laws.heat_capacity,
+                   number(not_negative(), "J/(kg K)"),
+                   "c0 of the thermal energy rho c0 ((T - T0) - T ln(T/T0))");
+  section.optional("Reference temperature", laws.reference,
+                   number(positive(), "K"), "T0 of the thermal energy");
 }
 
 void declare_dielectric(Section section, const CaseText& text,
@@ -177,6 +199,14 @@ void declare_material(Declarations& all, Section& section, const CaseText& text,
   all.allow_section(section.path(), "Dielectric", false);
   declare_dielectric(all.section(dielectric, "the electrical part"), text,
                      material);
+  SectionPath temperature = section.path();
+  temperature.push_back("Temperature laws");
+  all.allow_section(section.path(), "Temperature laws", false);
+  declare_temperature_laws(
+      all.section(temperature, "how the properties, which hold at the "
+                               "references of the laws, follow the temperature "
+                               "of the film"),
+      material.thermal);
 }
 } // namespace
 

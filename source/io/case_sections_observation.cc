@@ -24,13 +24,24 @@ Format<Probe::Kind> probe_kind()
                        {"mean stress", Kind::mean_stress},
                        {"min principal stress", Kind::min_principal_stress},
                        {"max true field", Kind::max_true_field},
+                       {"rotation", Kind::rotation},
+                       {"half angle", Kind::half_angle},
+                       {"distance", Kind::distance},
+                       {"frame force", Kind::frame_force},
+                       {"frame moment", Kind::frame_moment},
+                       {"frame strain", Kind::frame_strain},
+                       {"temperature", Kind::temperature},
                        {"volume", Kind::volume}});
 }
 
 Format<unsigned int> component()
 {
-  return choice<unsigned int>(
-      {{"x", 0}, {"y", 1}, {"z", 2}, {"first", 0}, {"second", 1}});
+  return choice<unsigned int>({{"x", 0},
+                               {"y", 1},
+                               {"z", 2},
+                               {"first", 0},
+                               {"second", 1},
+                               {"third", 2}});
 }
 
 void declare_probe(Section& section, Probe& probe, ProbePoint& point)
@@ -39,13 +50,20 @@ void declare_probe(Section& section, Probe& probe, ProbePoint& point)
                    "what is recorded, in SI units");
   section.optional("Of", probe.of,
                    text("a name, or empty for a point given by Point"),
-                   "the bar, electrode, support or film; for points and "
-                   "volumes a group of the mesh");
+                   "the bar, electrode, support, film or frame; for points a "
+                   "group of the mesh, for a half angle or distance two, for a "
+                   "volume any number");
   section.optional("Point", point,
                    optionally(three_numbers(any(), "m"), "none"),
-                   "the point in the mesh if Of is empty");
+                   "the point in the mesh if Of is empty; of a frame force or "
+                   "moment, if At is");
+  section.optional("At", probe.at,
+                   text("the name of a physical point, or empty"),
+                   "where in the frame a frame force or moment is taken");
   section.optional("Component", probe.component, component(),
-                   "component of a vector, or axis of the film");
+                   "component of a vector, axis of the film, axis of a half "
+                   "angle; first, second and third are the axes of a frame's "
+                   "section");
 }
 
 Format<EventDescription::Kind> event_kind()

@@ -20,6 +20,13 @@ void declare_procedure(Section section, ProcedureDescription& procedure)
                                   {"unrelaxed", Start::unrelaxed}}),
                    "whether the networks have forgotten the pre-stretch when "
                    "the run starts, or the pre-stretch has just been applied");
+  section.optional("Start shape", procedure.shape,
+                   choice<Shape>({{"meshed", Shape::meshed},
+                                  {"equilibrium", Shape::equilibrium},
+                                  {"rest", Shape::rest}}),
+                   "whether the run starts from the mesh at rest, from the "
+                   "equilibrium next to it, or from the stable shape into "
+                   "which a stretched film bends its frame");
   section.optional("Start time", procedure.start_time, number(any(), "s"),
                    "time at which the run starts");
   section.optional("End time", procedure.end_time, number(any(), "s"),
@@ -29,6 +36,25 @@ void declare_procedure(Section section, ProcedureDescription& procedure)
                    "residual of an equilibrium over its internal forces");
   section.optional("Load steps", procedure.load_steps, count(1, 1000000),
                    "least number of steps of an equilibrium path");
+}
+
+void declare_rest_shape(Section section, RestShapeDescription& rest)
+{
+  section.optional("Direction", rest.direction,
+                   three_numbers(any(), "dimensionless"),
+                   "to which side the frames bend, of any length");
+  section.optional("Perturbation", rest.perturbation,
+                   number(between(0, 1), "dimensionless"),
+                   "small load that decides the side and vanishes at the end, "
+                   "over the load that bends the frames by their length");
+  section.optional("First stiffness", rest.first_stiffness,
+                   number(within(1, 1e6), "dimensionless"),
+                   "how many times stiffer the frames are at first");
+  section.optional("Steps", rest.steps, count(1, 1000000),
+                   "least number of steps in which they soften");
+  section.optional("Both branches", rest.both_branches, yes_no(),
+                   "whether the shape on the other side is found and reported "
+                   "as well");
 }
 
 /// `analysis` is the entry of Analysis, if there is one: it decides about the
@@ -173,6 +199,10 @@ void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
   all.allow_section({"Procedure"}, "Integrator", false);
   declare_procedure(all.section({"Procedure"}, "what is done with the device"),
                     content.procedure);
+  all.allow_section({"Procedure"}, "Rest shape", false);
+  declare_rest_shape(all.section({"Procedure", "Rest shape"},
+                                 "the way to a Start shape = rest"),
+                     content.procedure.rest_shape);
   declare_integrator(
       all.section({"Procedure", "Integrator"}, "how time is stepped"),
       text.find({"Procedure"}, "Analysis"), content.procedure.integrator);

@@ -1,7 +1,6 @@
 #include <taut/base/exceptions.h>
 #include <taut/io/fields_writer.h>
 #include <taut/io/files.h>
-#include <taut/io/film_patches.h>
 
 #include <fmt/format.h>
 
@@ -9,36 +8,18 @@
 #include <set>
 #include <sstream>
 
-#include <boost/property_tree/xml_parser.hpp>
-
 namespace taut::io
 {
 namespace
 {
 namespace fs = std::filesystem;
-using Frames = std::vector<std::pair<double, std::string>>;
 
-Frames read_collection(const std::string& file)
+/// The parts of fields.pvd.
+enum Part : unsigned int
 {
-  std::istringstream stream(read_file(file));
-  boost::property_tree::ptree tree;
-  Frames frames;
-  try
-  {
-    boost::property_tree::read_xml(stream, tree);
-    for (const auto& [name, node] : tree.get_child("VTKFile.Collection"))
-      if (name == "DataSet")
-        frames.emplace_back(node.get<double>("<xmlattr>.timestep"),
-                            node.get<std::string>("<xmlattr>.file"));
-  }
-  catch (const boost::property_tree::ptree_error& error)
-  {
-    throw BadInput(std::string("the list of frames cannot be read: ") +
-                       error.what(),
-                   file, 0, "");
-  }
-  return frames;
-}
+  film_part = 0,
+  beams_part = 1
+};
 
 /// The stem of frame_N.vtu, frame_N.pvtu and frame_N.RANK.vtu.
 std::string get_stem(const fs::path& file)
@@ -47,12 +28,13 @@ std::string get_stem(const fs::path& file)
   return name.substr(0, name.find('.'));
 }
 
-/// Frames of a run that came further than its last checkpoint.
-void remove_others(const fs::path& folder, const Frames& frames)
+/// Files of a run that came further than its last checkpoint.
+void remove_others(const fs::path& folder, const std::vector<PvdFrame>& frames)
 {
   std::set<std::string> known;
-  for (const auto& frame : frames)
-    known.insert(get_stem(frame.second));
+  for (const PvdFrame& frame : frames)
+    for (const auto& [part, file] : frame.parts)
+      known.insert(get_stem(file));
   std::vector<fs::path> others;
   for (const auto& entry : fs::directory_iterator(folder))
     if (known.count(get_stem(entry.path())) == 0)
@@ -61,17 +43,40 @@ void remove_others(const fs::path& folder, const Frames& frames)
     fs::remove(file);
 }
 
+bool is_quadratic(const FilmPatches& film)
+{
+  return !film.patches.empty() && film.patches.front().n_subdivisions > 1;
+}
+
+/// deal.II 9.4 writes wrong corners for curved lines: a beam element of three
+/// nodes becomes two straight ones.
+bool is_quadratic(const FramePatches&)
+{
+  return false;
+}
+
+template <class Patches>
 dealii::DataOutBase::VtkFlags make_flags(const double time,
-                                         const FilmPatches& film,
-                                         const unsigned int degree)
+                                         const Patches& content)
 {
   using Flags = dealii::DataOutBase::VtkFlags;
   Flags flags(time);
   flags.print_date_and_time = false;
   flags.compression_level = Flags::best_speed;
-  flags.write_higher_order_cells = degree > 1;
-  flags.physical_units = film.units;
+  flags.write_higher_order_cells = is_quadratic(content);
+  flags.physical_units = content.units;
   return flags;
+}
+
+template <class Patches>
+void write_vtu(const std::string& file, const double time,
+               const Patches& content)
+{
+  std::ostringstream stream;
+  dealii::DataOutBase::write_vtu(content.patches, content.names,
+                                 content.vectors, make_flags(time, content),
+                                 stream);
+  replace_file(file, stream.str());
 }
 } // namespace
 
@@ -93,7 +98,7 @@ void FieldsWriter::open(const std::size_t frames)
   const std::string collection = folder_ + "/fields.pvd";
   fs::create_directories(fs::path(folder_) / "fields");
   if (frames > 0)
-    frames_ = read_collection(collection);
+    frames_ = read_pvd(collection);
   if (frames_.size() < frames)
     throw BadInput(fmt::format("the file names {} frames, but the checkpoint "
                                "was written after {}",
@@ -103,22 +108,15 @@ void FieldsWriter::open(const std::size_t frames)
   remove_others(fs::path(folder_) / "fields", frames_);
 }
 
-std::string FieldsWriter::write_frame(const double time,
-                                      structure::StructureSystem& system,
-                                      const double* state) const
+std::string FieldsWriter::write_film(const double time,
+                                     const FilmPatches& film) const
 {
-  const FilmPatches film = make_film_patches(time, system, state);
-  const auto flags =
-      make_flags(time, film, system.structure().cells().element().degree);
   const std::string stem = fmt::format("fields/frame_{:05}", next_frame_);
   const auto get_piece = [&](const unsigned int rank)
   {
     return n_ranks_ == 1 ? stem + ".vtu" : fmt::format("{}.{}.vtu", stem, rank);
   };
-  std::ostringstream piece;
-  dealii::DataOutBase::write_vtu(film.patches, film.names, film.vectors, flags,
-                                 piece);
-  replace_file(folder_ + "/" + get_piece(rank_), piece.str());
+  write_vtu(folder_ + "/" + get_piece(rank_), time, film);
   if (n_ranks_ == 1)
     return stem + ".vtu";
   if (rank_ == 0)
@@ -127,31 +125,53 @@ std::string FieldsWriter::write_frame(const double time,
     for (unsigned int rank = 0; rank < n_ranks_; ++rank)
       pieces.push_back(fs::path(get_piece(rank)).filename());
     std::ostringstream record;
-    dealii::DataOutBase::write_pvtu_record(record, pieces, film.names,
-                                           film.vectors, flags);
+    dealii::DataOutBase::write_pvtu_record(
+        record, pieces, film.names, film.vectors, make_flags(time, film));
     replace_file(folder_ + "/" + stem + ".pvtu", record.str());
   }
   return stem + ".pvtu";
 }
 
-void FieldsWriter::write_collection() const
+std::string FieldsWriter::write_beams(const double time,
+                                      const FramePatches& beams) const
 {
-  std::ostringstream stream;
-  stream.precision(15);
-  dealii::DataOutBase::write_pvd_record(stream, frames_);
-  replace_file(folder_ + "/fields.pvd", stream.str());
+  const std::string file = fmt::format("fields/beams_{:05}.vtu", next_frame_);
+  if (rank_ == 0)
+    write_vtu(folder_ + "/" + file, time, beams);
+  return file;
 }
 
-void FieldsWriter::write(const double time, structure::StructureSystem& system,
-                         const double* state)
+void FieldsWriter::write(const double time,
+                         const std::optional<FilmPatches>& film,
+                         const std::optional<FramePatches>& beams)
 {
-  const std::string file = write_frame(time, system, state);
+  PvdFrame frame{time, {}};
+  if (film)
+    frame.parts[film_part] = write_film(time, *film);
+  if (beams)
+    frame.parts[beams_part] = write_beams(time, *beams);
   ++next_frame_;
   // The collection names only pieces that are there.
   MPI_Barrier(communicator_);
   if (rank_ != 0)
     return;
-  frames_.emplace_back(time, file);
-  write_collection();
+  frames_.push_back(frame);
+  replace_file(folder_ + "/fields.pvd", make_pvd(frames_));
+}
+
+void FieldsWriter::write(const double time, structure::StructureSystem& system,
+                         const double* state)
+{
+  structure::Structure& structure = system.structure();
+  const auto& frames = structure.device().frames;
+  std::optional<FilmPatches> film;
+  std::optional<FramePatches> beams;
+  if (!structure.mesh().only_lines)
+    film = make_film_patches(time, system, state);
+  if (!frames.empty())
+    beams = make_frame_patches(
+        compute_frame_fields(structure, system.history().at(time), state),
+        frames);
+  write(time, film, beams);
 }
 } // namespace taut::io

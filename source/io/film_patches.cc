@@ -14,31 +14,6 @@ namespace
 using structure::PointFields;
 using structure::Structure;
 
-/// The columns of the table, in the order in which they are filled.
-class Columns
-{
-public:
-  explicit Columns(FilmPatches& film) : film_(film) {}
-  void add_scalar(const std::string& name, const std::string& unit = "")
-  {
-    film_.names.push_back(name);
-    if (!unit.empty())
-      film_.units[name] = unit;
-  }
-  void add_vector(const std::string& name, const std::string& unit = "")
-  {
-    const unsigned int first = film_.names.size();
-    film_.vectors.emplace_back(
-        first, first + 2, name,
-        dealii::DataComponentInterpretation::component_is_part_of_vector);
-    for (unsigned int d = 0; d < 3; ++d)
-      add_scalar(name, unit);
-  }
-
-private:
-  FilmPatches& film_;
-};
-
 unsigned int count_networks(const structure::Device& device)
 {
   std::size_t n = 0;
@@ -48,9 +23,8 @@ unsigned int count_networks(const structure::Device& device)
 }
 
 void name_columns(const bool has_velocity, const unsigned int n_networks,
-                  FilmPatches& film)
+                  PatchColumns& columns)
 {
-  Columns columns(film);
   columns.add_vector("displacement", "m");
   if (has_velocity)
     columns.add_vector("velocity", "m/s");

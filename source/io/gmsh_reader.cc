@@ -85,6 +85,17 @@ std::vector<Block> get_blocks(const int dimension)
   return blocks;
 }
 
+/// Those in a physical group.
+std::vector<Block> get_named_blocks(const int dimension)
+{
+  std::vector<Block> blocks = get_blocks(dimension);
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
+                              [](const Block& block)
+                              { return block.groups.empty(); }),
+               blocks.end());
+  return blocks;
+}
+
 std::unordered_map<Tag, fe::Coordinates> get_nodes()
 {
   std::vector<Tag> tags;
@@ -143,9 +154,12 @@ private:
     throw BadInput(message, file_, 0, "");
   }
   void check_surfaces(const std::vector<Block>& blocks) const;
+  void check_not_empty(const std::vector<Block>& surfaces,
+                       const std::vector<Block>& lines) const;
   void check_order(const Block& block) const;
   void add_quads(const Block& block);
   void add_lines(const Block& block);
+  void add_line(const fe::MeshLine& line);
   void add_points(const Block& block);
   void add_edges(const fe::MeshQuad& quad);
   void add_coordinates();
@@ -159,24 +173,26 @@ private:
   /// Elements by their sorted vertices: msh 2.2 lists an element once for each
   /// of its groups, and merged nodes can bring two lines together.
   std::map<std::array<unsigned int, 4>, std::size_t> known_quads_;
-  std::map<Edge, std::size_t> known_lines_;
+  std::map<Edge, std::size_t> known_lines_; ///< in lines or free_lines
   std::set<Edge> edges_;
 };
 
 fe::MeshData Builder::build()
 {
   const std::vector<Block> surfaces = get_blocks(2);
+  const std::vector<Block> lines = get_named_blocks(1);
   check_surfaces(surfaces);
-  mesh_.order = surfaces.front().order;
+  check_not_empty(surfaces, lines);
+  mesh_.order = surfaces.empty() ? lines.front().order : surfaces.front().order;
   for (const Block& block : surfaces)
     add_quads(block);
-  for (const Block& block : get_blocks(1))
-    if (!block.groups.empty())
-      add_lines(block);
-  for (const Block& block : get_blocks(0))
-    if (!block.groups.empty())
-      add_points(block);
+  for (const Block& block : lines)
+    add_lines(block);
+  for (const Block& block : get_named_blocks(0))
+    add_points(block);
   add_coordinates();
+  if (surfaces.empty())
+    fe::add_empty_surface(mesh_);
   return std::move(mesh_);
 }
 
@@ -189,8 +205,6 @@ void Builder::check_surfaces(const std::vector<Block>& blocks) const
     others += block.corners != 3 ? block.size() : 0;
     without_group += block.groups.empty() ? block.size() : 0;
   }
-  if (triangles + others == 0)
-    refuse("the mesh has no surface elements");
   if (triangles > 0)
     refuse(fmt::format(
         "{} of the {} surface elements are triangles, but a film needs "
@@ -203,6 +217,15 @@ void Builder::check_surfaces(const std::vector<Block>& blocks) const
     refuse(fmt::format("{} of the {} surface elements lie in no physical "
                        "group: name them with Physical Surface(\"name\")",
                        without_group, others));
+}
+
+void Builder::check_not_empty(const std::vector<Block>& surfaces,
+                              const std::vector<Block>& lines) const
+{
+  if (surfaces.empty() && lines.empty())
+    refuse("the mesh has no surface elements, and no lines in a physical "
+           "group: name surfaces of films with Physical Surface(\"name\"), "
+           "lines of frames with Physical Curve(\"name\")");
 }
 
 void Builder::check_order(const Block& block) const
@@ -258,26 +281,29 @@ void Builder::add_lines(const Block& block)
   for (std::size_t i = 0; i < block.size(); ++i)
   {
     const Tag* nodes = block.get_element(i);
-    const bool has_vertices =
-        vertices_.has(nodes[0]) && vertices_.has(nodes[1]);
     fe::MeshLine line;
     line.group_set = group_set;
-    for (unsigned int v = 0; v < 2 && has_vertices; ++v)
+    for (unsigned int v = 0; v < 2; ++v)
       line.vertices[v] = vertices_.get_or_add(nodes[v]);
-    if (!has_vertices || edges_.count(sorted(line.vertices)) == 0)
-      refuse(fmt::format("a line of the group '{}' is no edge of a surface "
-                         "element; lines without a film beside them are not "
-                         "supported",
+    if (line.vertices[0] == line.vertices[1])
+      refuse(fmt::format("a line of the group '{}' has no length",
                          fmt::join(block.groups, "', '")));
     if (mesh_.order == 2)
       line.middle = middles_.get_or_add(nodes[2]);
-    const auto [known, is_new] =
-        known_lines_.try_emplace(sorted(line.vertices), mesh_.lines.size());
-    if (is_new)
-      mesh_.lines.push_back(line);
-    else
-      join_groups(1, group_set, mesh_.lines[known->second].group_set);
+    add_line(line);
   }
+}
+
+/// Lines that are no edge of a film are those of frames beside it.
+void Builder::add_line(const fe::MeshLine& line)
+{
+  const Edge edge = sorted(line.vertices);
+  auto& lines = edges_.count(edge) > 0 ? mesh_.lines : mesh_.free_lines;
+  const auto [known, is_new] = known_lines_.try_emplace(edge, lines.size());
+  if (is_new)
+    lines.push_back(line);
+  else
+    join_groups(1, line.group_set, lines[known->second].group_set);
 }
 
 void Builder::add_points(const Block& block)
@@ -286,8 +312,9 @@ void Builder::add_points(const Block& block)
   for (const Tag node : block.nodes)
   {
     if (!vertices_.has(node))
-      refuse(fmt::format("the point of the group '{}' is no corner of a "
-                         "surface element; embed it in the surface",
+      refuse(fmt::format("the point of the group '{}' is neither a corner "
+                         "of a surface element nor an end of a line element "
+                         "in a physical group; embed it in the surface",
                          fmt::join(block.groups, "', '")));
     const fe::MeshPoint point{vertices_.get_or_add(node), group_set};
     mesh_.points.push_back(point);

@@ -12,11 +12,13 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-Json make_final(const study::RunSummary& summary)
+/// A row of the history by the names of its columns.
+Json make_row(const std::vector<study::Column>& columns,
+              const std::vector<double>& row)
 {
   Json values = Json::object();
-  for (std::size_t i = 0; i < summary.final_row.size(); ++i)
-    values[summary.columns[i].name] = summary.final_row[i];
+  for (std::size_t i = 0; i < row.size(); ++i)
+    values[columns[i].name] = row[i];
   return values;
 }
 
@@ -62,7 +64,10 @@ std::string make_run_json(const study::RunSummary& summary,
   run["status"] = to_text(summary.status);
   run["reason"] = summary.reason;
   run["time_reached"] = summary.time_reached;
-  run["final"] = make_final(summary);
+  run["final"] = make_row(summary.columns, summary.final_row);
+  if (!summary.other_branch.empty())
+    run["other_branch"] = make_row(summary.columns, summary.other_branch);
+  run["notes"] = summary.notes;
   run["counters"] = summary.counters;
   run["timings"] = summary.timings;
   run["energy_balance"] = {{"absolute", summary.balance_absolute},

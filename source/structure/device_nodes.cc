@@ -1,19 +1,19 @@
 #include <taut/base/exceptions.h>
 #include <taut/structure/device_nodes.h>
 
-#include <deal.II/base/function_parser.h>
 #include <deal.II/dofs/dof_tools.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "device_nodes_supports.h"
+
 namespace taut::structure
 {
 namespace
 {
 using Vector3 = std::array<double, 3>;
-using Positions = std::map<dealii::types::global_dof_index, dealii::Point<3>>;
 using DoFHandler = dealii::DoFHandler<2, 3>;
 
 double distance(const Vector3& a, const Vector3& b)
@@ -21,28 +21,33 @@ double distance(const Vector3& a, const Vector3& b)
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// Numbers the nodes: those of the film, then two of each bar on the last rank.
+/// Numbers the nodes: those of the film, then, on the last rank, those of the
+/// frames and two of each bar.
 void number_nodes(const Device& device, const DoFHandler& dof_handler,
-                  const Positions& positions, fe::Nodes& nodes)
+                  const NodePositions& positions, const FrameNodes& frames,
+                  fe::Nodes& nodes)
 {
   const MPI_Comm comm = dof_handler.get_communicator();
   const auto& owned = dof_handler.locally_owned_dofs();
   dealii::IndexSet relevant;
   dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
   const unsigned int n_film = dof_handler.n_dofs();
-  const unsigned int n_bars = 2 * device.bars.size();
-  nodes.n_global = n_film + n_bars;
+  const auto shared = frames.get_shared_film_nodes(n_film);
+  relevant.add_indices(shared.begin(), shared.end());
+  const unsigned int n_extra = frames.extras.size() + 2 * device.bars.size();
+  nodes.first_extra = n_film;
+  nodes.n_global = n_film + n_extra;
   const bool last = dealii::Utilities::MPI::this_mpi_process(comm) + 1 ==
                     dealii::Utilities::MPI::n_mpi_processes(comm);
   nodes.first_owned = owned.n_elements() > 0 ? owned.nth_index_in_set(0)
                       : last                 ? n_film
                                              : 0;
-  nodes.n_owned = owned.n_elements() + (last ? n_bars : 0);
+  nodes.n_owned = owned.n_elements() + (last ? n_extra : 0);
   for (const auto node : relevant)
     if (!owned.is_element(node))
       nodes.ghosts.push_back(node);
   if (!last)
-    for (unsigned int i = 0; i < n_bars; ++i)
+    for (unsigned int i = 0; i < n_extra; ++i)
       nodes.ghosts.push_back(n_film + i);
   nodes.n_local = nodes.n_owned + nodes.ghosts.size();
 
@@ -58,8 +63,18 @@ void number_nodes(const Device& device, const DoFHandler& dof_handler,
   nodes.mesh_position.assign(nodes.n_local, {});
   nodes.held.assign(nodes.n_local, 0);
   nodes.dependent.assign(nodes.n_local, false);
+  for (unsigned int place = 0; place < frames.nodes.size(); ++place)
+    if (frames.nodes[place].position < n_film)
+      nodes.mesh_position[nodes.local(frames.nodes[place].position)] =
+          frames.mesh.places[place];
   for (const auto& [node, x] : positions)
     nodes.mesh_position[nodes.local(node)] = {x[0], x[1], x[2]};
+  for (unsigned int i = 0; i < frames.extras.size(); ++i)
+  {
+    const fe::LocalNode node = nodes.local(n_film + i);
+    nodes.mesh_position[node] = frames.extras[i].mesh_position;
+    nodes.held[node] = frames.extras[i].held;
+  }
 }
 
 [[noreturn]] void refuse(const Named& entry, const std::string& message)
@@ -152,103 +167,6 @@ void synchronise(fe::Nodes& nodes, std::vector<int>& bar_of)
   }
 }
 
-class ShapeFunctions
-{
-public:
-  explicit ShapeFunctions(const Support& support)
-  {
-    try
-    {
-      const std::vector<std::string> shape(support.shape.begin(),
-                                           support.shape.end());
-      const std::map<std::string, double> constants{{"pi", M_PI}};
-      parser_.initialize("x,y,z", shape, constants);
-      parser_.value(dealii::Point<3>(), 0);
-    }
-    catch (const std::exception&)
-    {
-      refuse(support, "the displacement cannot be read: write three "
-                      "expressions of x, y and z");
-    }
-  }
-  double value(const Vector3& x, const unsigned int component) const
-  {
-    return parser_.value(dealii::Point<3>(x[0], x[1], x[2]), component);
-  }
-
-private:
-  dealii::FunctionParser<3> parser_{3};
-};
-
-/// Every prescribed component, by 3 node + component.
-using Prescribed = std::map<std::size_t, HeldComponent>;
-
-/// Refuses a second support that moves a component in another way.
-void check_same_motion(const HeldComponent& first, const HeldComponent& second,
-                       const Vector3& x, const Device& device)
-{
-  const Support& other = device.supports[first.support];
-  const Support& support = device.supports[second.support];
-  const auto get_shape = [](const HeldComponent& held, const Signal& amplitude)
-  {
-    const bool rests = amplitude.is_constant() && amplitude.value(0) == 0;
-    return rests ? 0. : held.shape;
-  };
-  const double a = get_shape(first, other.amplitude);
-  const double b = get_shape(second, support.amplitude);
-  // Round-off of an expression that vanishes here.
-  const double tolerance =
-      1e-12 * std::max({std::abs(a), std::abs(b), distance(x, {})});
-  const bool rests = std::abs(a) <= tolerance && std::abs(b) <= tolerance;
-  if (std::abs(a - b) > tolerance ||
-      (!rests && support.amplitude.to_text() != other.amplitude.to_text()))
-    refuse(support, std::string("it moves component ") +
-                        "xyz"[second.component] +
-                        " of a node otherwise than '" + other.name +
-                        "' does: supports that meet must agree there");
-}
-
-void apply_support(const Support& support, const unsigned int index,
-                   const std::vector<fe::GlobalNode>& group,
-                   const std::vector<int>& bar_of, const Device& device,
-                   Prescribed& prescribed, DeviceNodes& result)
-{
-  fe::Nodes& nodes = result.nodes;
-  const ShapeFunctions shape(support);
-  result.of_support.emplace_back();
-  for (const auto global : group)
-  {
-    const fe::LocalNode node = nodes.local(global);
-    const Vector3& x = nodes.mesh_position[node];
-    if (bar_of[node] >= 0)
-    {
-      const RigidBar& bar = device.bars[bar_of[node]];
-      for (unsigned int c = 0; c < 3; ++c)
-        if (support.held[c] && (bar.free[c] || bar.rotates))
-          refuse(support, std::string("it holds component ") + "xyz"[c] +
-                              " of a node of the bar '" + bar.name +
-                              "', which is free to move there: end the bar's "
-                              "line before the support, or guide the bar");
-    }
-    for (unsigned int c = 0; c < 3; ++c)
-      if (support.held[c])
-      {
-        const HeldComponent held{node, c, index, shape.value(x, c)};
-        const auto [first, is_new] = prescribed.try_emplace(3 * node + c, held);
-        if (!is_new)
-        {
-          check_same_motion(first->second, held, x, device);
-          continue;
-        }
-        nodes.held[node] |= 1 << c;
-        if (held.shape != 0)
-          result.moving.push_back(held);
-      }
-    if (node < nodes.n_owned)
-      result.of_support.back().push_back(node);
-  }
-}
-
 void add_hanging_nodes(const DoFHandler& dof_handler, fe::Nodes& nodes,
                        const std::vector<int>& bar_of)
 {
@@ -260,8 +178,8 @@ void add_hanging_nodes(const DoFHandler& dof_handler, fe::Nodes& nodes,
   for (const auto& line : constraints.get_lines())
   {
     const fe::LocalNode node = nodes.local(line.index);
-    // A node on a bar or held by a support already has its motion.
-    if (bar_of[node] >= 0 || nodes.held[node] == 7)
+    // A node on a bar, on an arm or held by a support already has its motion.
+    if (bar_of[node] >= 0 || nodes.held[node] == 7 || nodes.dependent[node])
       continue;
     fe::HangingNode hanging{node, {}};
     // An element below the order of the mesh has straighter edges than it: the
@@ -303,8 +221,10 @@ DeviceNodes make_device_nodes(const Device& device, const fe::MeshData& mesh,
 {
   DeviceNodes result;
   fe::Nodes& nodes = result.nodes;
-  number_nodes(device, dof_handler,
-               fe::compute_reference_positions(dof_handler, mesh), nodes);
+  const auto positions = fe::compute_reference_positions(dof_handler, mesh);
+  result.frames = make_frame_nodes(device, mesh, dof_handler, positions);
+  number_nodes(device, dof_handler, positions, result.frames, nodes);
+  add_frame_nodes(result.frames, nodes);
   std::vector<int> bar_of(nodes.n_local, -1);
   const double length_stiffness = make_length_stiffness(device);
   for (unsigned int b = 0; b < device.bars.size(); ++b)
@@ -322,12 +242,11 @@ DeviceNodes make_device_nodes(const Device& device, const fe::MeshData& mesh,
       bar = b;
     }
   }
-  Prescribed prescribed;
-  for (unsigned int s = 0; s < device.supports.size(); ++s)
-    apply_support(device.supports[s], s,
-                  find_group_nodes(device.supports[s].groups, mesh, dof_handler,
-                                   device.supports[s], "Support"),
-                  bar_of, device, prescribed, result);
+  if (mesh.only_lines)
+    for (fe::LocalNode node = 0; node < nodes.n_local; ++node)
+      if (nodes.global(node) < nodes.first_extra)
+        nodes.held[node] = 7;
+  apply_supports(device, mesh, dof_handler, bar_of, result);
   synchronise(nodes, bar_of);
   add_bar_nodes(bar_of, nodes);
   add_hanging_nodes(dof_handler, nodes, bar_of);

@@ -26,6 +26,14 @@ LoadHistory::LoadHistory(const Device& device)
                      [](const EdgeLoad& e) { return e.force; })),
       amplitudes_(collect(device.supports,
                           [](const Support& s) { return s.amplitude; })),
+      film_temperatures_(
+          collect(device.films, [](const Film& f) { return f.temperature; })),
+      frame_temperatures_(
+          collect(device.frames, [](const Frame& f) { return f.temperature; })),
+      point_forces_(collect(device.point_loads,
+                            [](const PointLoad& l) { return l.force; })),
+      point_moments_(collect(device.point_loads,
+                             [](const PointLoad& l) { return l.moment; })),
       start_(-std::numeric_limits<double>::infinity()),
       end_(std::numeric_limits<double>::infinity())
 {
@@ -34,7 +42,9 @@ LoadHistory::LoadHistory(const Device& device)
 template <typename Function>
 void LoadHistory::for_each_signal(const Function& function) const
 {
-  for (const auto* list : {&voltages_, &pressures_, &edges_, &amplitudes_})
+  for (const auto* list :
+       {&voltages_, &pressures_, &edges_, &amplitudes_, &film_temperatures_,
+        &frame_temperatures_, &point_forces_, &point_moments_})
     for (const auto& signal : *list)
       function(signal);
 }
@@ -75,6 +85,13 @@ LoadState LoadHistory::at(const double time) const
   fill(pressures_, state.pressures, state.pressure_rates);
   fill(edges_, state.edge_forces, state.edge_rates);
   fill(amplitudes_, state.amplitudes, state.amplitude_rates);
+  fill(film_temperatures_, state.film_temperatures,
+       state.film_temperature_rates);
+  fill(frame_temperatures_, state.frame_temperatures,
+       state.frame_temperature_rates);
+  fill(point_forces_, state.point_forces, state.point_force_rates);
+  for (const auto& signal : point_moments_)
+    state.point_moments.push_back(read(signal, time));
   for (const auto& signal : amplitudes_)
     state.amplitude_second_rates.push_back(signal.second_rate(inside(time)));
   return state;

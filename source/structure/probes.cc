@@ -74,7 +74,11 @@ std::string Probes::get_unit(const Kind kind)
   case Kind::position:
   case Kind::displacement:
   case Kind::bar_displacement:
+  case Kind::distance:
     return "m";
+  case Kind::rotation:
+  case Kind::half_angle:
+    return "rad";
   case Kind::velocity:
   case Kind::bar_velocity:
     return "m/s";
@@ -85,7 +89,12 @@ std::string Probes::get_unit(const Kind kind)
   case Kind::capacitance:
     return "F";
   case Kind::reaction:
+  case Kind::frame_force:
     return "N";
+  case Kind::frame_moment:
+    return "N m";
+  case Kind::temperature:
+    return "K";
   case Kind::mean_stress:
   case Kind::min_principal_stress:
     return "Pa";
@@ -95,6 +104,7 @@ std::string Probes::get_unit(const Kind kind)
     return "m^3";
   case Kind::bar_rotation:
   case Kind::mean_stretch:
+  case Kind::frame_strain:
     break;
   }
   return "1";
@@ -168,7 +178,7 @@ Probes::Point Probes::find_point(const Probe& probe) const
   const auto all =
       dealii::Utilities::MPI::all_gather(structure.communicator(), nearest);
   const auto owner = std::min_element(all.begin(), all.end());
-  if (*owner > 1e-6 * structure.mesh_size())
+  if (*owner > 1e-6 * compute_extent(structure.mesh()))
     refuse(probe, "no node of the mesh lies at its point; the nearest is " +
                       std::to_string(*owner) +
                       " m away: put a point of the "

@@ -23,21 +23,32 @@ void for_each_point(const fe::FilmCells& cells, const std::size_t film,
         function(cell, q);
 }
 
+/// The law of a cell among those of all slots.
+const fe::BatchLaw& find_law(const fe::FilmCells& cells,
+                             const std::vector<fe::BatchLaw>& laws,
+                             const unsigned int cell)
+{
+  const fe::FilmCell& wanted = cells.cells()[cell];
+  const auto found = std::find_if(cells.slots().begin(), cells.slots().end(),
+                                  [&](const fe::LawSlot& slot) {
+                                    return slot.film == wanted.film &&
+                                           slot.electrode == wanted.electrode;
+                                  });
+  return laws[found - cells.slots().begin()];
+}
+
 /// Nominal stress along a material axis: |F e_k| S_kk (Pa).
 double compute_nominal_stress(const fe::FilmCells& cells,
-                              const unsigned int cell, const unsigned int q,
-                              const Tensor& C, const double* internal,
-                              const double voltage, const unsigned int axis)
+                              const fe::BatchLaw& law, const unsigned int cell,
+                              const unsigned int q, const Tensor& C,
+                              const double* internal, const unsigned int axis)
 {
-  const fe::FilmSection& film = cells.films()[cells.cells()[cell].film];
-  const double field = voltage / film.thickness;
   std::vector<Tensor> A;
   const double* values =
       internal + cells.first_internal(cell) + 3ul * q * cells.n_networks(cell);
   for (unsigned int m = 0; m < cells.n_networks(cell); ++m)
     A.push_back({values[3 * m], values[3 * m + 1], values[3 * m + 2]});
-  const Tensor S = material::stress(*film.elastomer, C, A.data(),
-                                    {field * field, film.temperature});
+  const Tensor S = material::stress(*law.elastomer, C, A.data(), law.field);
   return axis == 0 ? std::sqrt(C.xx) * S.xx : std::sqrt(C.yy) * S.yy;
 }
 } // namespace
@@ -70,22 +81,21 @@ double Probes::evaluate_film(const std::size_t probe, const LoadState& loads,
   }
   const auto metric =
       fe::compute_metric(cells, structure.compute_positions(loads, u));
+  const auto laws = structure.make_laws(loads, Networks::as_given);
   double volume = 0, integral = 0;
-  for_each_point(
-      cells, film,
-      [&](const unsigned int cell, const unsigned int q)
-      {
-        const auto& [xx, yy, xy] = metric[cell * n + q];
-        const int electrode = cells.cells()[cell].electrode;
-        const double voltage = electrode < 0 ? 0. : loads.voltages[electrode];
-        const double value =
-            description.kind == Kind::mean_stretch
-                ? std::sqrt(description.component == 0 ? xx : yy)
-                : compute_nominal_stress(cells, cell, q, {xx, yy, xy}, internal,
-                                         voltage, description.component);
-        volume += cells.volume(cell, q);
-        integral += cells.volume(cell, q) * value;
-      });
+  for_each_point(cells, film,
+                 [&](const unsigned int cell, const unsigned int q)
+                 {
+                   const auto& [xx, yy, xy] = metric[cell * n + q];
+                   const double value =
+                       description.kind == Kind::mean_stretch
+                           ? std::sqrt(description.component == 0 ? xx : yy)
+                           : compute_nominal_stress(
+                                 cells, find_law(cells, laws, cell), cell, q,
+                                 {xx, yy, xy}, internal, description.component);
+                   volume += cells.volume(cell, q);
+                   integral += cells.volume(cell, q) * value;
+                 });
   return dealii::Utilities::MPI::sum(integral, comm) /
          dealii::Utilities::MPI::sum(volume, comm);
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace taut::structure
 {
@@ -82,18 +81,8 @@ fe::NodalVector Structure::compute_velocities(const LoadState& loads,
           held.shape * loads.amplitude_rates[held.support];
   prolong(v, velocities);
   velocities.update_ghost_values();
-  fe::distribute_change(nodes(), nullptr, velocities);
+  fe::distribute_change(nodes(), &positions_, velocities);
   return velocities;
-}
-
-std::vector<fe::BatchLaw> Structure::make_laws(const LoadState& loads,
-                                               const Networks networks) const
-{
-  auto laws = fe::make_laws(*cells_, loads.voltages);
-  if (networks == Networks::relaxed)
-    for (unsigned int slot = 0; slot < laws.size(); ++slot)
-      laws[slot].elastomer = &relaxed_[cells_->slots()[slot].film];
-  return laws;
 }
 
 void Structure::add_bar_forces(fe::NodalVector& forces) const
@@ -114,6 +103,18 @@ void Structure::add_bar_forces(fe::NodalVector& forces) const
   }
 }
 
+void Structure::set_dead_forces(const LoadState& loads)
+{
+  dead_forces_ = weight_;
+  for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
+    for (unsigned int k = 0; k < edges_.size(); ++k)
+      fe::entry(dead_forces_, i) +=
+          loads.edge_forces[k] * fe::entry(edges_[k], i);
+  point_forces_->add_forces(loads, positions_, true, false, dead_forces_);
+  if (rest_load_ != std::array<double, 3>{})
+    frames_->add_line_load(rest_load_, dead_forces_);
+}
+
 void Structure::compute_forces(const LoadState& loads, const double* u,
                                const double* internal, const Networks networks,
                                double* forces, double* rates)
@@ -130,15 +131,19 @@ void Structure::compute_forces(const LoadState& loads, const double* u,
       fe::add_internal_forces(*cells_, laws, positions_, internal, forces_,
                               rates ? rates : unused_rates.data(), powers_);
   refuse_beyond_limit(limit, communicator());
+  heat_power_ =
+      networks == Networks::as_given ? compute_heat_power(loads, internal) : 0;
+  frames_->add_forces(loads, positions_, forces_);
   for (unsigned int i = 0; i < pressures_.size(); ++i)
     pressures_[i].pressure = loads.pressures[i];
   fe::add_pressure_forces(*cells_, pressures_, positions_, pressure_forces_);
+  point_forces_->add_forces(loads, positions_, false, true, pressure_forces_);
+  set_dead_forces(loads);
   double square = 0;
   for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
   {
-    double external = fe::entry(pressure_forces_, i) + fe::entry(weight_, i);
-    for (unsigned int k = 0; k < edges_.size(); ++k)
-      external += loads.edge_forces[k] * fe::entry(edges_[k], i);
+    const double external =
+        fe::entry(pressure_forces_, i) + fe::entry(dead_forces_, i);
     double& force = fe::entry(forces_, i);
     square += force * force + external * external;
     force = external - force;
@@ -150,11 +155,12 @@ void Structure::compute_forces(const LoadState& loads, const double* u,
   // the residual is what the film would pull with if nothing did.
   internal_force_norm_ = std::max(std::sqrt(square), least_force_);
   fe::collect_hanging_forces(nodes(), forces_);
-  if (!nodes().bars.empty())
-    bar_node_forces_.assign(forces_.begin(),
-                            forces_.begin() + 3 * nodes().n_local);
+  if (has_turning_nodes())
+    turned_forces_.assign(forces_.begin(),
+                          forces_.begin() + 3 * nodes().n_local);
   add_bar_forces(forces_);
   fe::collect_bar_forces(nodes(), &positions_, forces_);
+  fe::collect_follower_forces(nodes(), &positions_, forces_);
   forces_.compress(dealii::VectorOperation::add);
   restrict(forces_, forces);
 }
@@ -183,33 +189,22 @@ std::vector<double> Structure::compute_charges(const LoadState& loads) const
   return charges;
 }
 
-double Structure::mesh_size() const
-{
-  double size = 0;
-  for (unsigned int c = 0; c < 3; ++c)
-  {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const auto& x : mesh_.vertices)
-    {
-      low = std::min(low, x[c]);
-      high = std::max(high, x[c]);
-    }
-    size = std::max(size, high - low);
-  }
-  return size;
-}
-
 Powers Structure::compute_powers(const LoadState& loads,
                                  const fe::NodalVector* velocities) const
 {
   Powers powers;
   powers.dissipation = powers_.dissipation;
   const auto charges = compute_charges(loads);
-  double work = 0;
+  double work = heat_power_;
+  auto rates = nodes().make_vector();
+  point_forces_->add_force_rates(loads, rates);
   for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
+  {
+    double rate = fe::entry(rates, i);
     for (unsigned int k = 0; k < edges_.size(); ++k)
-      work -=
-          loads.edge_rates[k] * fe::entry(edges_[k], i) * get_displacement(i);
+      rate += loads.edge_rates[k] * fe::entry(edges_[k], i);
+    work -= rate * get_displacement(i);
+  }
   for (const auto& held : device_nodes_.moving)
     if (held.node < nodes().n_owned)
       work -= fe::entry(forces_, 3 * held.node + held.component) * held.shape *
@@ -270,24 +265,24 @@ Energies Structure::compute_energies(const LoadState& loads, const double* u,
   Energies energies;
   energies.stored = film.stored;
   energies.electric = film.stored - film.at_voltage;
+  energies.frames = frames_->compute_energy(loads, positions_);
+  set_dead_forces(loads);
   for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
-  {
-    double load = fe::entry(weight_, i);
-    for (unsigned int k = 0; k < edges_.size(); ++k)
-      load += loads.edge_forces[k] * fe::entry(edges_[k], i);
-    energies.dead_loads -= load * get_displacement(i);
-  }
+    energies.dead_loads -= fe::entry(dead_forces_, i) * get_displacement(i);
   if (v)
   {
     std::vector<double> momentum(n_free());
     multiply_mass(v, momentum.data());
     for (std::size_t i = 0; i < n_free(); ++i)
       energies.kinetic += 0.5 * v[i] * momentum[i];
+    energies.kinetic += compute_rotary_energy(v);
   }
   energies.kinetic = sum(energies.kinetic);
   energies.stored = sum(energies.stored);
+  energies.frames = sum(energies.frames);
   energies.electric = sum(energies.electric);
   energies.dead_loads = sum(energies.dead_loads);
+  energies.thermal = sum(compute_thermal_energy(loads));
   if (!v)
     for (unsigned int i = 0; i < pressures_.size(); ++i)
       energies.dead_loads -=

@@ -1,5 +1,6 @@
 #include <taut/base/exceptions.h>
 #include <taut/base/nearest_name.h>
+#include <taut/structure/film_laws.h>
 #include <taut/structure/structure.h>
 
 #include <deal.II/fe/fe_q.h>
@@ -86,7 +87,7 @@ void add_line_load(const fe::ReferenceElement& element,
 
 Structure::Structure(const Device& device, const fe::MeshData& mesh,
                      const fe::Triangulation& triangulation)
-    : device_(device), mesh_(mesh), dof_handler_(triangulation)
+    : device_(add_fibres(device)), mesh_(mesh), dof_handler_(triangulation)
 {
   dof_handler_.distribute_dofs(dealii::FE_Q<2, 3>(device_.mesh.degree));
   device_nodes_ = make_device_nodes(device_, mesh_, dof_handler_);
@@ -97,11 +98,16 @@ Structure::Structure(const Device& device, const fe::MeshData& mesh,
     for (unsigned int c = 0; c < 3; ++c)
       if (!nodes().dependent[node] && !(nodes().held[node] >> c & 1))
         free_.push_back(3 * node + c);
-  for (auto* vector : {&positions_, &forces_, &pressure_forces_, &weight_,
-                       &tangent_positions_})
+  free_index_.assign(3 * nodes().n_owned, -1);
+  for (unsigned int i = 0; i < free_.size(); ++i)
+    free_index_[free_[i]] = i;
+  for (auto* vector : {&positions_, &forces_, &pressure_forces_, &dead_forces_,
+                       &weight_, &tangent_positions_})
     *vector = nodes().make_vector();
+  make_frames();
   make_weight();
   least_force_ = compute_least_force();
+  round_off_force_ = compute_round_off_force();
   for (const auto& load : device_.edge_loads)
     edges_.push_back(make_edge_load(load));
   for (const auto& pressure : device_.pressures)
@@ -127,7 +133,7 @@ void Structure::make_cells()
       dof_handler_.get_fe().n_dofs_per_cell());
   for (const auto& cell : dof_handler_.active_cell_iterators())
   {
-    if (!cell->is_locally_owned())
+    if (!cell->is_locally_owned() || mesh_.only_lines)
       continue;
     const unsigned int id = cell->material_id();
     if (film_of.count(id) == 0)
@@ -185,6 +191,7 @@ void Structure::make_weight()
       for (unsigned int c = 0; c < 3; ++c)
         fe::entry(weight_, 3 * bar.centre + c) +=
             bar.mass * device_.environment.gravity[c];
+  add_frame_weight();
 }
 
 double Structure::compute_least_force() const

@@ -17,10 +17,13 @@ void Structure::assemble(const fe::TangentRequest& request)
 {
   if (!tangent_)
     tangent_ = std::make_unique<fe::TangentMatrix>(
-        nodes(), *cells_, fe::TangentMatrix::Coupling::full);
+        nodes(), *cells_, get_frame_elements(),
+        fe::TangentMatrix::Coupling::full);
   tangent_->begin();
   fe::add_stiffness(*cells_, tangent_laws_, pressures_, request, *tangent_);
   add_bar_tangent(request, *tangent_);
+  add_frame_tangent(request);
+  add_follower_tangent(*tangent_);
   tangent_->end();
 }
 
@@ -68,7 +71,7 @@ void Structure::add_bar_tangent(const fe::TangentRequest& request,
     double f_n = 0;
     for (unsigned int c = 0; c < 3; ++c)
     {
-      f[c] = bar_node_forces_[3 * on_bar.node + c];
+      f[c] = turned_forces_[3 * on_bar.node + c];
       n[c] = d[c] / length;
       f_n += f[c] * n[c];
     }
@@ -86,8 +89,8 @@ void Structure::set_tangent_state(const LoadState& loads, const double* u,
                                   const double* internal,
                                   const Networks networks)
 {
-  // The forces on the bars' nodes belong to the tangent.
-  if (!nodes().bars.empty())
+  // The forces on nodes of bars and on arms belong to the tangent.
+  if (has_turning_nodes())
   {
     std::vector<double> unused(n_free());
     compute_forces(loads, u, internal, networks, unused.data(), nullptr);
@@ -101,6 +104,7 @@ void Structure::set_tangent_state(const LoadState& loads, const double* u,
   fe::distribute_positions(nodes(), tangent_positions_);
   tangent_internal_.assign(internal, internal + n_internal());
   tangent_laws_ = make_laws(loads, networks);
+  tangent_loads_ = loads;
 }
 
 void Structure::factorise(const LoadState& loads, const double* u,
@@ -191,7 +195,8 @@ void Structure::make_mass()
   if (mass_)
     return;
   const auto coupling = fe::TangentMatrix::Coupling::components;
-  mass_ = std::make_unique<fe::TangentMatrix>(nodes(), *cells_, coupling);
+  mass_ = std::make_unique<fe::TangentMatrix>(nodes(), *cells_,
+                                              get_frame_elements(), coupling);
   mass_->begin();
   fe::add_mass(*cells_, get_densities(), *mass_);
   for (const auto& bar : nodes().bars)
@@ -204,18 +209,21 @@ void Structure::make_mass()
       mass_->add_block(bar.director, bar.director,
                        std::array<double, 9>{j, 0, 0, 0, j, 0, 0, 0, j}.data());
     }
+  add_frame_masses(false, *mass_);
   mass_->end();
   mass_solver_ = std::make_unique<fe::LinearSolver>(
       mass_->get(), fe::LinearSolver::Kind::symmetric_definite);
   mass_solver_->factorise();
   if (!has_drag())
     return;
-  drag_ = std::make_unique<fe::TangentMatrix>(nodes(), *cells_, coupling);
+  drag_ = std::make_unique<fe::TangentMatrix>(nodes(), *cells_,
+                                              get_frame_elements(), coupling);
   drag_->begin();
   fe::add_mass(
       *cells_,
       std::vector<double>(device_.films.size(), device_.environment.air_drag),
       *drag_);
+  add_frame_masses(true, *drag_);
   drag_->end();
 }
 
@@ -239,6 +247,7 @@ void Structure::solve_mass(const double* b, double* x)
 
 std::vector<double>
 Structure::compute_support_product(const std::vector<double>& densities,
+                                   const bool damping,
                                    const std::vector<double>& rates) const
 {
   auto motion = nodes().make_vector(), product = nodes().make_vector();
@@ -249,6 +258,7 @@ Structure::compute_support_product(const std::vector<double>& densities,
   motion.update_ghost_values();
   fe::distribute_change(nodes(), nullptr, motion);
   fe::add_mass_product(*cells_, densities, motion, product);
+  frames_->add_mass_product(damping, motion, product);
   fe::collect_forces(nodes(), nullptr, product);
   product.compress(dealii::VectorOperation::add);
   std::vector<double> result(n_free());
@@ -259,7 +269,7 @@ Structure::compute_support_product(const std::vector<double>& densities,
 std::vector<double>
 Structure::compute_support_inertia(const std::vector<double>& rates) const
 {
-  return compute_support_product(get_densities(), rates);
+  return compute_support_product(get_densities(), false, rates);
 }
 
 std::vector<double>
@@ -267,6 +277,6 @@ Structure::compute_support_drag(const std::vector<double>& rates) const
 {
   const std::vector<double> drag(device_.films.size(),
                                  device_.environment.air_drag);
-  return compute_support_product(drag, rates);
+  return compute_support_product(drag, true, rates);
 }
 } // namespace taut::structure

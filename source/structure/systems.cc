@@ -60,25 +60,36 @@ double* StructureSystem::scalars(double* state) const
 
 std::vector<double>
 StructureSystem::make_initial_state(const double time, const Start start,
-                                    const bool in_equilibrium,
-                                    const time::PathOptions& options)
+                                    const FindShape& find_shape)
 {
   history_.enter_interval(time);
   std::vector<double> state(layout().size(), 0.);
   double* A = internal(state.data());
   fe::set_unrelaxed(structure_.cells(), A);
-  if (in_equilibrium)
-  {
-    Equilibrium problem(
-        structure_, history_,
-        start == Start::relaxed ? Networks::relaxed : Networks::as_given, A);
-    time::find_equilibrium(problem, time, state.data(), options.newton);
-  }
+  find_shape(start == Start::relaxed ? Networks::relaxed : Networks::as_given,
+             A, state.data());
+  structure_.normalise_rotations(state.data());
   if (start == Start::relaxed)
     fe::set_relaxed(
         structure_.cells(),
         structure_.compute_positions(history_.at(time), state.data()), A);
   return state;
+}
+
+std::vector<double>
+StructureSystem::make_initial_state(const double time, const Start start,
+                                    const bool in_equilibrium,
+                                    const time::PathOptions& options)
+{
+  return make_initial_state(
+      time, start,
+      [&](const Networks networks, const double* internal, double* u)
+      {
+        if (!in_equilibrium)
+          return;
+        Equilibrium problem(structure_, history_, networks, internal);
+        time::find_equilibrium(problem, time, u, options.newton);
+      });
 }
 
 Energies StructureSystem::compute_energies(const double time,
@@ -123,6 +134,13 @@ void InertialSystem::evaluate(const double time, const double* state, double* f)
       drag_power += drag[i] * v[i];
     }
   }
+  if (structure_.has_frame_damping())
+  {
+    const auto damping = structure_.compute_frame_damping(loads, v);
+    for (std::size_t i = 0; i < n; ++i)
+      forces[i] -= damping.forces[i];
+    drag_power += damping.power;
+  }
   if (history_.has_moving_supports())
   {
     const auto inertia =
@@ -133,6 +151,7 @@ void InertialSystem::evaluate(const double time, const double* state, double* f)
       support_power -= inertia[i] * v[i];
     }
   }
+  structure_.turn_forces_into_accelerations(v, forces);
   powers.drag = dealii::Utilities::MPI::sum(drag_power, communicator());
   powers.work += dealii::Utilities::MPI::sum(support_power, communicator());
   if (layout().scalars > 0)
@@ -195,6 +214,9 @@ void InertialSystem::solve(const double* r, double* d)
   structure_.multiply_mass(r, product.data());
   for (std::size_t i = 0; i < n; ++i)
     b[i] = r[n + i] + alpha_ * product[i];
+  structure_.turn_accelerations_into_forces(b.data());
+  if (structure_.has_frame_damping())
+    structure_.add_frame_damping_product(r, b.data());
   if (structure_.has_drag())
   {
     structure_.multiply_drag(r, product.data());

@@ -39,10 +39,12 @@ void Equilibrium::compute_residual(const double load, const double* u,
 
 void Equilibrium::prepare(const double load, const double* u)
 {
-  // A pressure on a film with free edges has no symmetric tangent.
-  const auto kind = structure_.device().pressures.empty()
-                        ? fe::LinearSolver::Kind::symmetric
-                        : fe::LinearSolver::Kind::general;
+  // A pressure on a film with free edges, a moment or a force that turns has no
+  // symmetric tangent.
+  const auto kind =
+      structure_.device().pressures.empty() && !structure_.has_follower_forces()
+          ? fe::LinearSolver::Kind::symmetric
+          : fe::LinearSolver::Kind::general;
   structure_.factorise(history_.at(load), u, internal_, networks_,
                        std::numeric_limits<double>::infinity(), false, kind);
 }
@@ -50,6 +52,16 @@ void Equilibrium::prepare(const double load, const double* u)
 void Equilibrium::solve(const double* r, double* d)
 {
   structure_.solve(r, d);
+}
+
+double Equilibrium::round_off_force() const
+{
+  return structure_.round_off_force();
+}
+
+bool Equilibrium::takes_full_steps() const
+{
+  return !structure_.frames().empty();
 }
 
 double Equilibrium::reference_force() const

@@ -16,9 +16,10 @@ std::vector<Column> FilmRows::make_columns() const
   std::vector<Column> columns{{"time", "s"}};
   for (std::size_t i = 0; i < probes_.size(); ++i)
     columns.push_back({probes_.name(i), probes_.unit(i)});
-  for (const char* name : {"kinetic energy", "stored energy", "electric energy",
-                           "dead load energy", "dissipated energy",
-                           "lost energy", "work", "energy balance"})
+  for (const char* name :
+       {"kinetic energy", "stored energy", "frame energy", "electric energy",
+        "dead load energy", "dissipated energy", "lost energy", "work",
+        "energy balance"})
     columns.push_back({name, "J"});
   return columns;
 }
@@ -65,8 +66,9 @@ std::vector<double> FilmRows::make_row(const double time, const double* state)
   balance_absolute_ = std::max(balance_absolute_, std::abs(balance));
   balance_scale_ = std::max({balance_scale_, std::abs(change), dissipated,
                              std::abs(lost), std::abs(work), energies.kinetic});
-  row.insert(row.end(), {energies.kinetic, energies.stored, energies.electric,
-                         energies.dead_loads, dissipated, lost, work, balance});
+  row.insert(row.end(), {energies.kinetic, energies.stored, energies.frames,
+                         energies.electric, energies.dead_loads, dissipated,
+                         lost, work, balance});
   return row;
 }
 

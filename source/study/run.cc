@@ -9,6 +9,8 @@
 #include <cmath>
 #include <set>
 
+#include "run_rest_shape.h"
+
 namespace taut::study
 {
 namespace
@@ -85,6 +87,8 @@ private:
   std::vector<double> state_;
   RunProgress progress_;
   RunSummary summary_;
+  /// Counters of the way to the rest shape.
+  std::map<std::string, double> rest_shape_;
   double last_row_ = std::nan(""), last_frame_ = std::nan("");
   bool resumed_ = false;
 };
@@ -102,11 +106,23 @@ void FilmRun::start(const std::optional<Checkpoint>& resume)
     resumed_ = true;
     return;
   }
-  time::PathOptions options;
-  options.newton.tolerance = procedure.newton_tolerance;
   progress_.time = procedure.start_time;
-  state_ = system_->make_initial_state(procedure.start_time, procedure.start,
-                                       true, options);
+  if (procedure.shape == Shape::rest)
+  {
+    auto start = start_from_rest_shape(case_, *system_, rows_);
+    state_ = start.state;
+    rest_shape_ = start.counters;
+    summary_.notes = start.notes;
+    summary_.other_branch = start.other_branch;
+  }
+  else
+  {
+    time::PathOptions options;
+    options.newton.tolerance = procedure.newton_tolerance;
+    state_ = system_->make_initial_state(procedure.start_time, procedure.start,
+                                         procedure.shape == Shape::equilibrium,
+                                         options);
+  }
   rows_.begin(procedure.start_time, state_.data());
 }
 
@@ -313,6 +329,7 @@ void FilmRun::finish(const Clock::time_point began)
   summary_.columns = rows_.make_columns();
   summary_.balance_absolute = rows_.balance_absolute();
   summary_.balance_relative = rows_.balance_relative();
+  summary_.counters.insert(rest_shape_.begin(), rest_shape_.end());
   summary_.counters["unknowns"] = system_->structure().n_free_global();
   summary_.timings["run"] =
       std::chrono::duration<double>(Clock::now() - began).count();

@@ -112,7 +112,8 @@ int GuardedProblem::compute_residual(const double* u, double* residual)
 bool GuardedProblem::is_converged() const
 {
   return residual_norm_ <=
-         std::max(options_.tolerance, round_off) * reference_force_;
+         std::max(std::max(options_.tolerance, round_off) * reference_force_,
+                  problem_.round_off_force());
 }
 
 int GuardedProblem::prepare(const double* u)
@@ -177,7 +178,7 @@ public:
          const EquilibriumOptions& options);
 
   /// Returns KINSOL's flag.
-  int solve();
+  int solve(bool full_steps);
   unsigned int get_iterations() const;
   const std::string& message() const
   {
@@ -225,10 +226,11 @@ Kinsol::Kinsol(GuardedProblem& problem, std::vector<double>& u,
   check(KINSetMaxNewtonStep(memory, 1e100), "KINSetMaxNewtonStep");
 }
 
-int Kinsol::solve()
+int Kinsol::solve(const bool full_steps)
 {
-  return KINSol(memory_.get(), u_vector_.get(), KIN_LINESEARCH,
-                scale_vector_.get(), scale_vector_.get());
+  return KINSol(memory_.get(), u_vector_.get(),
+                full_steps ? KIN_NONE : KIN_LINESEARCH, scale_vector_.get(),
+                scale_vector_.get());
 }
 
 unsigned int Kinsol::get_iterations() const
@@ -269,7 +271,7 @@ EquilibriumStatistics find_equilibrium(EquilibriumProblem& problem,
   GuardedProblem guarded(problem, load, options);
   std::vector<double> trial(u, u + guarded.size());
   Kinsol kinsol(guarded, trial, options);
-  const int flag = kinsol.solve();
+  const int flag = kinsol.solve(problem.takes_full_steps());
   guarded.guard().rethrow();
   if (!is_retryable(flag))
     throw SolverFailed(take_name(KINGetReturnFlagName(flag)) + ": " +
@@ -283,6 +285,7 @@ EquilibriumStatistics find_equilibrium(EquilibriumProblem& problem,
   guarded.guard().rethrow();
   if (code != 0 || !guarded.is_converged())
     reject(guarded, flag);
+  problem.check_equilibrium(load, trial.data());
   std::copy(trial.begin(), trial.end(), u);
   guarded.statistics.final_residual = guarded.residual_norm();
   return guarded.statistics;

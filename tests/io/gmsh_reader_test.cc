@@ -1,11 +1,15 @@
 #include <taut/base/exceptions.h>
+#include <taut/fe/triangulation.h>
 #include <taut/io/gmsh_reader.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/fe/fe_q.h>
 
 #include <gtest/gtest.h>
 #include <io/mesh_folder.h>
 #include <io/mesh_measures.h>
+
+#include <cmath>
 
 namespace
 {
@@ -46,9 +50,13 @@ void expect_equal(const fe::MeshData& a, const fe::MeshData& b)
   EXPECT_TRUE(a.groups == b.groups);
   EXPECT_EQ(get_numbers(a.quads), get_numbers(b.quads));
   EXPECT_EQ(get_numbers(a.lines), get_numbers(b.lines));
+  EXPECT_EQ(get_numbers(a.free_lines), get_numbers(b.free_lines));
+  EXPECT_EQ(a.only_lines, b.only_lines);
   ASSERT_EQ(a.points.size(), b.points.size());
   for (std::size_t i = 0; i < a.quads.size(); ++i)
     EXPECT_EQ(a.quads[i].middles, b.quads[i].middles);
+  for (std::size_t i = 0; i < a.free_lines.size(); ++i)
+    EXPECT_EQ(a.free_lines[i].middle, b.free_lines[i].middle);
   for (std::size_t i = 0; i < a.points.size(); ++i)
     EXPECT_EQ(a.points[i].vertex, b.points[i].vertex);
 }
@@ -104,10 +112,115 @@ Physical Curve("seen from the right") = {14};
   EXPECT_NEAR(sum_chords(mesh, "seen from the right"), 1, 1e-14);
 }
 
+/// A quarter of a ring as a mast on the corner (2, 1, 0), two cells, and a line
+/// across both squares whose ends are corners of cells.
+const std::string with_frame = grouped + R"(
+Point(20) = {2 * size, size, size}; Point(21) = {2 * size, 2 * size, size};
+Circle(20) = {4, 20, 21}; Line(21) = {1, 4};
+Transfinite Curve {20} = 3; Transfinite Curve {21} = 2;
+Physical Curve("mast") = {20}; Physical Curve("frame") = {1, 20, 21};
+Physical Point("top") = {21};
+)";
+
+TEST_F(GmshReader, lines_beside_the_film_are_free_lines)
+{
+  const fe::MeshData film = read_text(grouped);
+  const fe::MeshData mesh = read_text(with_frame, {{"order", 2}});
+  EXPECT_FALSE(mesh.only_lines);
+  EXPECT_EQ(get_numbers(mesh.quads), get_numbers(film.quads));
+  EXPECT_EQ(mesh.lines.size(), film.lines.size());
+  ASSERT_EQ(mesh.free_lines.size(), 3u);
+  // Two vertices more than those of the film, and behind them.
+  EXPECT_EQ(mesh.vertices.size(), film.vertices.size() + 2);
+  const double round_off = 1e-14;
+  EXPECT_NEAR(sum_chords(mesh, "frame"), 1, round_off);
+  EXPECT_NEAR(sum_chords(mesh, mesh.free_lines, "mast"), 4 * std::sin(M_PI / 8),
+              round_off);
+  EXPECT_NEAR(sum_chords(mesh, mesh.free_lines, "frame"),
+              4 * std::sin(M_PI / 8) + std::sqrt(5.), round_off);
+  const auto mast = mesh.groups.get_ids(1, "mast");
+  for (const fe::MeshLine& line : mesh.free_lines)
+    if (mast.count(line.group_set) > 0)
+    {
+      const fe::Coordinates& middle = mesh.middle_points.at(line.middle);
+      EXPECT_NEAR(std::hypot(middle[1] - 1, middle[2] - 1), 1, round_off);
+    }
+  const auto top = fe::get_group_points(mesh, "top");
+  ASSERT_EQ(top.size(), 1u);
+  EXPECT_NEAR(to_point(top[0]).distance({2, 2, 1}), 0, round_off);
+}
+
+TEST_F(GmshReader, refinement_leaves_free_lines_alone)
+{
+  const fe::MeshData mesh = read_text(with_frame, {{"order", 2}});
+  fe::Triangulation triangulation(MPI_COMM_WORLD);
+  fe::create_triangulation(mesh, 2, triangulation);
+  EXPECT_EQ(triangulation.n_global_active_cells(), 16 * mesh.quads.size());
+  dealii::DoFHandler<2, 3> dof_handler(triangulation);
+  dof_handler.distribute_dofs(dealii::FE_Q<2, 3>(2));
+  // The positions find their coarse cell: all lie in the plane of the film.
+  double highest = 0, furthest = 0;
+  for (const auto& [dof, x] :
+       fe::compute_reference_positions(dof_handler, mesh))
+  {
+    highest = std::max(highest, std::abs(x[2]));
+    furthest = std::max(furthest, x[0]);
+  }
+  EXPECT_EQ(highest, 0);
+  EXPECT_EQ(dealii::Utilities::MPI::max(furthest, MPI_COMM_WORLD), 2);
+}
+
+/// A portal of two posts and a beam.
+const std::string portal = R"(
+DefineConstant[ order = 1 ];
+Point(1) = {0, 0, 0}; Point(2) = {0, 0, 2}; Point(3) = {3, 0, 2};
+Point(4) = {3, 0, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4};
+Transfinite Curve {1 : 3} = 5;
+Physical Curve("posts") = {1, 3}; Physical Curve("frame") = {1 : 3};
+Physical Point("feet") = {1, 4};
+Mesh.ElementOrder = order;
+)";
+
+TEST_F(GmshReader, a_mesh_of_lines_gets_one_cell_that_touches_nothing)
+{
+  for (const unsigned int order : {1, 2})
+  {
+    const fe::MeshData mesh = read_text(portal, {{"order", order}});
+    EXPECT_TRUE(mesh.only_lines);
+    EXPECT_EQ(mesh.order, order);
+    ASSERT_EQ(mesh.quads.size(), 1u);
+    EXPECT_TRUE(mesh.groups.get_set(surfaces, mesh.quads[0].group_set).empty());
+    EXPECT_TRUE(mesh.lines.empty());
+    EXPECT_NEAR(sum_chords(mesh, mesh.free_lines, "posts"), 4, 1e-14);
+    EXPECT_NEAR(sum_chords(mesh, mesh.free_lines, "frame"), 7, 1e-14);
+    EXPECT_EQ(fe::get_group_points(mesh, "feet"),
+              (std::vector<fe::Coordinates>{{0, 0, 0}, {3, 0, 0}}));
+    const double size = std::sqrt(13.);
+    for (const fe::MeshLine& line : mesh.free_lines)
+    {
+      for (const unsigned int vertex : mesh.quads[0].vertices)
+        for (const unsigned int end : line.vertices)
+          EXPECT_GT(to_point(mesh.vertices[vertex])
+                        .distance(to_point(mesh.vertices[end])),
+                    .5 * size);
+    }
+    fe::Triangulation triangulation(MPI_COMM_WORLD);
+    fe::create_triangulation(mesh, 1, triangulation);
+    EXPECT_EQ(triangulation.n_global_active_cells(), 4u);
+    dealii::DoFHandler<2, 3> dof_handler(triangulation);
+    dof_handler.distribute_dofs(dealii::FE_Q<2, 3>(order));
+    for (const auto& [dof, x] :
+         fe::compute_reference_positions(dof_handler, mesh))
+      EXPECT_GT(x[0], 3 + .49 * size);
+  }
+}
+
 TEST_F(GmshReader, all_versions_of_msh_hold_the_mesh_of_the_geometry)
 {
   for (const std::string& text :
-       {grouped, grouped + "Mesh.ElementOrder = 2;\n"})
+       {grouped, grouped + "Mesh.ElementOrder = 2;\n",
+        with_frame + "Mesh.ElementOrder = 2;\n", portal})
   {
     const fe::MeshData mesh = read_text(text);
     for (const double version : {2.2, 4.1})
@@ -151,7 +264,7 @@ TEST_F(GmshReader, a_mesh_read_on_one_rank_is_whole_on_all)
 {
   const bool is_reader =
       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  const std::string text = grouped + "Mesh.ElementOrder = 2;\n";
+  const std::string text = with_frame + "Mesh.ElementOrder = 2;\n";
   expect_equal(dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD,
                                                  is_reader ? read_text(text)
                                                            : fe::MeshData()),

@@ -125,20 +125,32 @@ TEST_F(GmshRefusals, refuses_the_algorithm_that_crashes_gmsh)
 TEST_F(GmshRefusals, refuses_meshes_without_surfaces_or_groups)
 {
   EXPECT_TRUE(contains(refuse("Point(1) = {0, 0, 0};"), "no surface elements"));
+  EXPECT_TRUE(contains(refuse("Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0};"
+                              "Line(1) = {1, 2};\n"),
+                       "no lines in a physical group"));
   EXPECT_TRUE(contains(refuse(recombined), "8 of the 8"));
   EXPECT_TRUE(contains(refuse(recombined + "Physical Surface(\"left\") = {1};"),
                        "4 of the 8 surface elements lie in no physical group"));
 }
 
-TEST_F(GmshRefusals, refuses_lines_and_points_beside_the_film)
+TEST_F(GmshRefusals, refuses_points_beside_film_and_frame)
 {
-  const BadInput line =
-      refuse(grouped + "Point(9) = {0, 0, 1}; Line(9) = {1, 9};"
-                       "Physical Curve(\"mast\") = {9};\n");
-  EXPECT_TRUE(contains(line, "'mast'"));
   const BadInput point = refuse(grouped + "Point(9) = {0, 0, 1};"
                                           "Physical Point(\"star\") = {9};\n");
   EXPECT_TRUE(contains(point, "'star'"));
+  EXPECT_TRUE(contains(point, "neither a corner"));
+}
+
+TEST_F(GmshRefusals, refuses_lines_without_length)
+{
+  EXPECT_TRUE(contains(
+      refuse_file(write("mesh.msh",
+                        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                        "$PhysicalNames\n1\n1 7 \"leg\"\n$EndPhysicalNames\n"
+                        "$Nodes\n2\n1 0 0 0\n2 1 0 0\n$EndNodes\n"
+                        "$Elements\n2\n1 1 2 7 1 1 2\n2 1 2 7 1 2 2\n"
+                        "$EndElements\n")),
+      "'leg' has no length"));
 }
 
 TEST_F(GmshRefusals, refuses_elements_of_other_orders)

@@ -54,15 +54,24 @@ inline double compute_area(const fe::MeshData& mesh, const std::string& group)
   return integrate_normal(mesh, group)[0];
 }
 
-/// Sum of the distances between the ends of the lines of a group.
-inline double sum_chords(const fe::MeshData& mesh, const std::string& group)
+/// Sum of the distances between the ends of those of `lines` that lie in a
+/// group.
+inline double sum_chords(const fe::MeshData& mesh,
+                         const std::vector<fe::MeshLine>& lines,
+                         const std::string& group)
 {
   const auto ids = mesh.groups.get_ids(1, group);
   double length = 0;
-  for (const fe::MeshLine& line : mesh.lines)
+  for (const fe::MeshLine& line : lines)
     if (ids.count(line.group_set) > 0)
       length += to_point(mesh.vertices[line.vertices[0]])
                     .distance(to_point(mesh.vertices[line.vertices[1]]));
   return length;
+}
+
+/// Of the edges of cells.
+inline double sum_chords(const fe::MeshData& mesh, const std::string& group)
+{
+  return sum_chords(mesh, mesh.lines, group);
 }
 } // namespace taut::io

@@ -1,53 +1,16 @@
-#include <taut/base/exceptions.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
-#include "io/small_case.h"
+#include "io/refusal.h"
 
 namespace taut::io
 {
 namespace
 {
 using testing::CaseOnDisk;
+using testing::Refusal;
 using testing::small_case;
-
-/// An edit of the small case and what its refusal must say.
-struct Refusal
-{
-  const char* what;
-  /// Text of the small case, once in it, and what replaces it.
-  const char* from;
-  const char* to;
-  /// Text in the edited file whose line must be named; null if no line can be.
-  const char* culprit;
-  const char* key;
-  /// A part of the message.
-  const char* says;
-};
-
-void PrintTo(const Refusal& refusal, std::ostream* stream)
-{
-  *stream << refusal.what;
-}
 
 std::string edit(const std::string& from, const std::string& to)
 {
-  std::string content = small_case;
-  const std::size_t place = content.find(from);
-  EXPECT_NE(place, std::string::npos) << from;
-  content.replace(place, from.size(), to);
-  return content;
-}
-
-unsigned int line_of(const std::string& content, const char* culprit)
-{
-  if (!culprit)
-    return 0;
-  const std::size_t place = content.find(culprit);
-  EXPECT_NE(place, std::string::npos) << culprit;
-  return 1 + std::count(content.begin(), content.begin() + place, '\n');
+  return testing::edit(small_case, from, to);
 }
 
 class BadCase : public ::testing::TestWithParam<Refusal>
@@ -56,23 +19,7 @@ class BadCase : public ::testing::TestWithParam<Refusal>
 
 TEST_P(BadCase, IsRefusedWithFileLineAndKey)
 {
-  const Refusal& refusal = GetParam();
-  const std::string content = edit(refusal.from, refusal.to);
-  const CaseOnDisk disk(content);
-  try
-  {
-    read_case(disk.file());
-    FAIL() << "accepted: " << refusal.what;
-  }
-  catch (const BadInput& problem)
-  {
-    EXPECT_EQ(problem.file(), disk.file());
-    EXPECT_EQ(problem.line(), line_of(content, refusal.culprit))
-        << problem.what();
-    EXPECT_EQ(problem.key(), refusal.key);
-    EXPECT_NE(problem.message().find(refusal.says), std::string::npos)
-        << problem.what();
-  }
+  testing::expect_refused(small_case, GetParam());
 }
 
 const Refusal grammar[] = {

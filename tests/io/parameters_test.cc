@@ -211,7 +211,7 @@ TEST(Parameters, OverridesReplaceAndAdd)
                  "Procedure/Integrator/Method = bdf",
                  "Material rubber/Spring ground/Limit = 80"});
   EXPECT_EQ(read.device.films[0].thickness, 2e-3);
-  EXPECT_EQ(read.device.films[1].temperature, 350);
+  EXPECT_EQ(read.device.films[1].temperature.value(0), 350);
   EXPECT_EQ(read.device.mesh.geo_parameters.size(), 1u);
   EXPECT_EQ(read.device.mesh.geo_parameters.at("width"), 0.5);
   EXPECT_EQ(read.device.title, "another");

@@ -165,4 +165,53 @@ TEST_F(Packs, ScalarsAreThoseOfEachLane)
                    std::min(limit_margin(elastomer, first.C, A_first),
                             limit_margin(elastomer, second.C, A_second)));
 }
+
+TEST(HeldWidthPacks, AreThoseOfEachLane)
+{
+  Elastomer elastomer = {{}, {}, {}, 0.};
+  for (const Spring& spring : make_springs())
+    elastomer.networks.push_back({spring, .7, FlowLaw::held_width});
+  elastomer.fibres = Fibres{1e4, 1.2};
+  const std::size_t networks = elastomer.networks.size();
+  const Field field = make_strong_field();
+  const State first = make_states(0)[0], second = make_states(0)[1];
+  const PairTensor C = combine(first.C, second.C);
+  const std::vector<Tensor> A(networks, {.7, 1., 0.});
+  const std::vector<PairTensor> A_pair(networks, combine(A[0], A[0]));
+  PairTensor S;
+  Tensor S_first, S_second;
+  Matrix3<Pair> D;
+  Matrix3<double> D_first, D_second;
+  stress_and_stiffness(elastomer, C, A_pair.data(), field, 4., S, D);
+  stress_and_stiffness(elastomer, first.C, A.data(), field, 4., S_first,
+                       D_first);
+  stress_and_stiffness(elastomer, second.C, A.data(), field, 4., S_second,
+                       D_second);
+  expect_pair(S, S_first, S_second);
+  expect_pair({D[0][0], D[1][1], D[0][1]},
+              {D_first[0][0], D_first[1][1], D_first[0][1]},
+              {D_second[0][0], D_second[1][1], D_second[0][1]});
+  std::vector<PairTensor> rate(networks), dA(networks);
+  std::vector<Tensor> one(networks), dA_first(networks), dA_second(networks);
+  const Tensor dE = {.1, .2, .3};
+  rates(elastomer, C, A_pair.data(), rate.data());
+  network_response(elastomer, C, A_pair.data(), 4., combine(dE, dE), nullptr,
+                   dA.data());
+  network_response(elastomer, first.C, A.data(), 4., dE, nullptr,
+                   dA_first.data());
+  network_response(elastomer, second.C, A.data(), 4., dE, nullptr,
+                   dA_second.data());
+  rates(elastomer, first.C, A.data(), one.data());
+  for (std::size_t m = 0; m < networks; ++m)
+  {
+    EXPECT_NEAR(rate[m].xx.a, one[m].xx, 1e-12 * (1. + std::abs(one[m].xx)));
+    expect_pair(dA[m], dA_first[m], dA_second[m]);
+    expect_pair(relaxed_internal(elastomer.networks[m], C),
+                relaxed_internal(elastomer.networks[m], first.C),
+                relaxed_internal(elastomer.networks[m], second.C));
+  }
+  EXPECT_NEAR(dissipation(elastomer, C, A_pair.data()).b,
+              dissipation(elastomer, second.C, A.data()),
+              1e-12 * dissipation(elastomer, second.C, A.data()));
+}
 } // namespace

@@ -6,6 +6,7 @@
 #include <random>
 #include <utility>
 
+#include "structure/balance.h"
 #include "structure/viscous_films.h"
 
 namespace taut
@@ -52,42 +53,6 @@ fe::MeshData make_bowl()
       });
 }
 
-/// Largest change of the balance in a run, over the largest change of the
-/// total energy.
-double compute_drift(structure::StructureSystem& system, const double end,
-                     const time::IntegratorOptions& options)
-{
-  auto state =
-      system.make_initial_state(0, structure::Start::unrelaxed, true, {});
-  const auto balance = [&](const double time, const double* y)
-  {
-    const double* s = system.scalars(y);
-    return system.compute_energies(time, y).total() +
-           s[structure::Scalar::dissipated] + s[structure::Scalar::lost] -
-           s[structure::Scalar::work];
-  };
-  const double start = system.compute_energies(0, state.data()).total();
-  const double first = balance(0, state.data());
-  double drift = 0, change = 0;
-  time::Observer observer;
-  observer.step = [&](const time::Step& step, const auto&)
-  {
-    drift =
-        std::max(drift, std::abs(balance(step.end(), step.state()) - first));
-    change = std::max(
-        change,
-        std::abs(system.compute_energies(step.end(), step.state()).total() -
-                 start));
-  };
-  time::Schedule schedule;
-  schedule.end = end;
-  integrate(system, state.data(), schedule, options, {}, observer);
-  EXPECT_GT(system.scalars(
-                std::as_const(state).data())[structure::Scalar::dissipated],
-            0);
-  return drift / change;
-}
-
 class Balance : public ::testing::TestWithParam<Signal>
 {
 };
@@ -101,7 +66,7 @@ TEST_P(Balance, of_a_motion_converges_with_the_tolerance)
     time::IntegratorOptions options;
     options.position_tolerance = tolerance;
     options.velocity_time = 5e-3;
-    return compute_drift(system, .03, options);
+    return testing::compute_drift(system, .03, options);
   };
   const double coarse = compute(1e-6), fine = compute(1e-8);
   // Of fourth order the drift falls as tolerance^(4/4) at best, as its 3/4
@@ -121,7 +86,9 @@ TEST(QuasiStaticBalance, holds_without_pressure)
   device.pressures.clear();
   testing::Model model(device, make_bowl());
   structure::QuasiStaticSystem system(*model.structure, {});
-  EXPECT_LT(compute_drift(system, .2, testing::make_slow_options(1e-8)), 1e-5);
+  EXPECT_LT(
+      testing::compute_drift(system, .2, testing::make_slow_options(1e-8)),
+      1e-5);
 }
 
 TEST(QuasiStaticBalance, holds_under_pressure_with_a_fixed_rim)
@@ -133,7 +100,9 @@ TEST(QuasiStaticBalance, holds_under_pressure_with_a_fixed_rim)
         testing::make_support(side, {{true, true, true}}));
   testing::Model model(device, make_bowl());
   structure::QuasiStaticSystem system(*model.structure, {});
-  EXPECT_LT(compute_drift(system, .2, testing::make_slow_options(1e-8)), 1e-5);
+  EXPECT_LT(
+      testing::compute_drift(system, .2, testing::make_slow_options(1e-8)),
+      1e-5);
 }
 
 TEST(Dissipation, IsNeverNegativeInARandomCycle)

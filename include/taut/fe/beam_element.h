@@ -7,10 +7,14 @@
 // has a position x (m) and a quaternion Q of any length > 0; the rotation
 // R(Q/|Q|) takes the reference section to the current one, so that in the
 // reference state Q is (1, 0, 0, 0) times a length, whatever the direction of
-// the beam: corners and T-joints share a node. x and Q are interpolated, then
-//   Gamma = R_0^T (R^T x' - x_0'),  kappa = R_0^T 2 vec(conj(Q) Q')/|Q|^2
-// with R_0 the section's axes in the reference state at the point: both are
-// unchanged by rigid motions and by the length of Q. Reduced integration.
+// the beam: corners and T-joints share a node. x and the nodes' q = Q/|Q| are
+// interpolated, then
+//   Gamma = R_0^T (R^T x' - x_0'),  kappa = R_0^T 2 vec(conj(q) q')/|q|^2
+// with R = R(q/|q|) and R_0 the section's axes in the reference state at the
+// point: both are unchanged by rigid motions and by the length of any Q, and
+// the forces on each node's Q are orthogonal to it. (Were Q itself
+// interpolated, longer quaternions would weigh more: the ratio of two nodes'
+// lengths would have forces of its own.) Reduced integration.
 namespace taut::fe
 {
 /// E A, G A_2, G A_3 (N), G J, E I_2, E I_3 (N m^2): section axes 1 along the
@@ -20,6 +24,8 @@ using BeamStiffness = std::array<double, 6>;
 /// Strains or stress resultants at a point: Gamma (dimensionless; N) and kappa
 /// (1/m; N m) along 1, 2, 3.
 using BeamResultants = std::array<double, 6>;
+
+struct BeamPointState;
 
 class BeamElement
 {
@@ -78,14 +84,28 @@ public:
 
 private:
   /// An integration point: shape functions N_a, their derivatives by arc
-  /// length (1/m), the weight (m), R_0 and x_0' = axis 1 of R_0.
+  /// length (1/m), the weight (m), and the section's axes, of which the first
+  /// is x_0'.
   struct Point
   {
     std::array<double, 3> values, derivatives;
     double weight;
     std::array<std::array<double, 3>, 3> axes;
-    std::array<double, 3> tangent;
   };
+  /// dx_0/ds at the place s, from 0 to 1 along the beam (m).
+  std::array<double, 3> compute_tangent(double place) const;
+  /// Of nodal values [x of every node | q of every node].
+  BeamPointState interpolate(const Point& point,
+                             const std::vector<double>& nodal) const;
+  /// Forces and stiffness conjugate to x and the unit quaternions q.
+  std::vector<double>
+  compute_unit_forces(const std::vector<double>& unit,
+                      const std::vector<BeamResultants>& resultants) const;
+  std::vector<double>
+  compute_unit_stiffness(const std::vector<double>& unit,
+                         const BeamStiffness& stiffness,
+                         const std::vector<BeamResultants>& resultants) const;
+
   unsigned int n_nodes_;
   std::vector<Point> points_;
   std::vector<std::array<double, 3>> nodes_;

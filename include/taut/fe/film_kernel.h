@@ -2,6 +2,8 @@
 
 #include <taut/material/elastomer.h>
 
+#include <memory>
+
 /// The arithmetic of the film on a batch of eight cells at once. Every array
 /// holds eight lanes per number, [...][lane], aligned to 64 bytes, so that this
 /// interface does not depend on the width of the processor's registers.
@@ -27,6 +29,8 @@ struct BatchLaw
 {
   const material::Elastomer* elastomer;
   material::Field field;
+  /// Holds *elastomer if it was made for this law, else null.
+  std::shared_ptr<const material::Elastomer> owned = nullptr;
 };
 
 /// Where a spring was stretched beyond its limit.

@@ -29,7 +29,8 @@ struct MeshQuad
   }
 };
 
-/// An edge of a quadrilateral that lies in a group of lines.
+/// An edge of a quadrilateral, or a line beside the surface, that lies in a
+/// group of lines.
 struct MeshLine
 {
   std::array<unsigned int, 2> vertices{};
@@ -59,15 +60,13 @@ struct MeshPoint
   }
 };
 
-/// Adds the quadrilateral of a mesh that has only lines.
-void add_empty_surface(struct MeshData& mesh);
-
-/// A surface mesh of quadrilaterals as it was read, before any refinement. It
+/// A mesh of quadrilaterals and lines as it was read, before any refinement. It
 /// is read on one rank and broadcast.
 struct MeshData
 {
   /// 1: straight edges, 2: every cell carries nine points.
   unsigned int order = 1;
+  /// Those of the quads come first, then those that only free lines have.
   std::vector<Coordinates> vertices;
   std::vector<Coordinates> middle_points;
   std::vector<MeshQuad> quads;
@@ -87,6 +86,11 @@ struct MeshData
         groups& only_lines;
   }
 };
+
+/// Gives a mesh that has only lines one quadrilateral, in no group and as large
+/// as the box around the lines, outside of it: nothing of it coincides with the
+/// lines. Sets `only_lines`.
+void add_empty_surface(MeshData& mesh);
 
 /// The coordinates (m) of all points in `group`.
 /// Errors: BadInput if the mesh has no such group of points.

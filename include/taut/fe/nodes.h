@@ -1,5 +1,7 @@
 #pragma once
 
+#include <taut/base/rotation.h>
+
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <array>
@@ -59,6 +61,30 @@ struct BarNode
   double fraction; ///< s, -1 to 1
 };
 
+/// A rotation as an unknown: a quaternion Q, stored as l Q (m) in two nodes of
+/// its own, `vector` for the vector part and the next for (scalar, -, -), whose
+/// last two components are held. Only its direction counts (see BeamElement).
+struct Rotation
+{
+  LocalNode vector;
+  double length; ///< l (m): Q in the mesh is (l, 0, 0, 0)
+
+  LocalNode scalar() const
+  {
+    return vector + 1;
+  }
+};
+
+/// A node on a rigid arm: x = c + R(Q) arm in forces. Inertia sees x = c: the
+/// rotary inertia that this leaves out is lumped in the rotation's.
+struct Follower
+{
+  LocalNode node;
+  LocalNode centre;
+  unsigned int rotation;
+  std::array<double, 3> arm; ///< in the mesh (m)
+};
+
 /// The nodes this rank sees: its own first (consecutive in the global
 /// numbering), then ghosts. Positions and forces are NodalVectors with entry
 /// 3 node + component.
@@ -69,6 +95,10 @@ struct Nodes
   LocalNode n_local = 0; ///< with ghosts
   GlobalNode n_global = 0;
   GlobalNode first_owned = 0;
+  /// Nodes that are not in the mesh of the film, those of bars, frames and
+  /// rigid bodies, are numbered from here to n_global; the last rank owns them
+  /// and every rank sees them.
+  GlobalNode first_extra = 0;
   std::vector<GlobalNode> ghosts; ///< increasing
   /// Position in the mesh, all local nodes (m).
   std::vector<std::array<double, 3>> mesh_position;
@@ -78,6 +108,8 @@ struct Nodes
   std::vector<HangingNode> hanging;
   std::vector<BarNode> on_bar;
   std::vector<Bar> bars;
+  std::vector<Rotation> rotations;
+  std::vector<Follower> followers;
   /// True for nodes that follow others; all local nodes.
   std::vector<bool> dependent;
 
@@ -90,6 +122,23 @@ struct Nodes
   NodalVector make_vector() const;
 };
 
+/// The stored quaternion, scalar part first (m).
+Quaternion get_quaternion(const Rotation& rotation, const NodalVector& values);
+
+/// d(R(Q) arm)/dQ at the stored quaternion: by the vector part, 3 x 3
+/// row-major, and by the scalar part (dimensionless).
+struct ArmDerivative
+{
+  std::array<double, 9> by_vector;
+  std::array<double, 3> by_scalar;
+};
+ArmDerivative compute_arm_derivative(const Quaternion& q,
+                                     const std::array<double, 3>& arm);
+/// Second derivative of force . R(Q) arm by (scalar, vector), 4 x 4 (N/m).
+std::array<double, 16>
+compute_arm_curvature(const Quaternion& q, const std::array<double, 3>& arm,
+                      const std::array<double, 3>& force);
+
 /// Fills in the positions of dependent nodes from those they follow. Needs
 /// current ghosts.
 void distribute_positions(const Nodes& nodes, NodalVector& positions);
@@ -101,10 +150,12 @@ void distribute_change(const Nodes& nodes, const NodalVector* positions,
 
 /// Moves the forces on dependent nodes to those they follow (the transpose of
 /// distribute_change) and leaves zero on them: hanging nodes first, which may
-/// follow nodes of bars, then those. Local; compress(add) follows.
+/// follow nodes of bars or on arms, then those. Local; compress(add) follows.
 void collect_hanging_forces(const Nodes& nodes, NodalVector& forces);
 void collect_bar_forces(const Nodes& nodes, const NodalVector* positions,
                         NodalVector& forces);
+void collect_follower_forces(const Nodes& nodes, const NodalVector* positions,
+                             NodalVector& forces);
 void collect_forces(const Nodes& nodes, const NodalVector* positions,
                     NodalVector& forces);
 } // namespace taut::fe

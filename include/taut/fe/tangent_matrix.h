@@ -23,7 +23,10 @@ public:
     components ///< each component by itself, as in a mass matrix
   };
 
-  TangentMatrix(const Nodes& nodes, const FilmCells& cells, Coupling coupling);
+  /// `elements`: nodes of elements other than the cells, for add_element.
+  TangentMatrix(const Nodes& nodes, const FilmCells& cells,
+                const std::vector<std::vector<LocalNode>>& elements,
+                Coupling coupling);
   ~TangentMatrix();
   TangentMatrix(const TangentMatrix&) = delete;
   TangentMatrix& operator=(const TangentMatrix&) = delete;
@@ -42,13 +45,18 @@ public:
                  const NodalVector* positions);
   /// Adds a 3 x 3 block (row-major) to rows of node a and columns of node b.
   void add_block(LocalNode a, LocalNode b, const double* block);
+  /// Adds the matrix of an element with the given nodes, row-major with
+  /// 3 nodes.size() rows. `positions` as in add_batch.
+  void add_element(const std::vector<LocalNode>& nodes, const double* matrix,
+                   const NodalVector* positions);
   /// Ends adding. Collective.
   void end();
 
-  /// True if the batch has a cell whose nodes follow a bar.
-  bool on_bar(const unsigned int batch) const
+  /// True if the batch has a cell whose nodes turn with a bar or a rotation:
+  /// forces and inertia follow different maps there.
+  bool turns(const unsigned int batch) const
   {
-    return on_bar_[batch];
+    return turns_[batch];
   }
 
 private:
@@ -57,10 +65,13 @@ private:
   {
     LocalNode master;
     std::array<double, 9> block;
+    bool turns; ///< the block changes with a rotation
   };
   void expand(LocalNode node, const NodalVector* positions, double weight,
               std::vector<Term>& terms) const;
-  void create();
+  void add_folded(const std::vector<std::vector<Term>>& terms, unsigned int a,
+                  unsigned int b, const double* block);
+  void create(const std::vector<std::vector<LocalNode>>& elements);
   void find_positions();
   void add_directly(unsigned int cell, unsigned int lane,
                     const double* stiffness, bool symmetric);
@@ -73,11 +84,12 @@ private:
   _p_Mat* matrix_ = nullptr;
   _p_Mat* local_ = nullptr; ///< rows and columns of this rank, not owned
   double* values_ = nullptr;
-  /// Per local node, index into hanging / on_bar or -1.
+  /// Per local node, index into hanging / on_bar / followers or -1.
   std::vector<int> hanging_index_;
   std::vector<int> bar_index_;
+  std::vector<int> follower_index_;
   std::vector<bool> folded_; ///< [cell]
-  std::vector<bool> on_bar_; ///< [batch]
+  std::vector<bool> turns_;  ///< [batch]
   /// [cell][a][b]: where the block begins in the values of `local_`.
   std::vector<int> positions_;
   std::vector<int> row_length_; ///< [node], entries per row of `local_`

@@ -10,7 +10,7 @@ namespace taut::fe
 using Triangulation = dealii::parallel::distributed::Triangulation<2, 3>;
 
 /// Fills the empty `triangulation` with `mesh`, the same on all ranks, and
-/// refines it `refinements` times.
+/// refines it `refinements` times. Free lines are no part of it.
 ///
 /// Cells carry their group set as material id, lines as manifold id (boundary
 /// lines also as boundary id), see MeshGroups; all of them survive refinement.

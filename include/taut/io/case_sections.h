@@ -23,8 +23,18 @@ struct MaterialDraft : structure::Named
   material::Dielectric dielectric;
   std::string permittivity_law = "constant";
   double density = 0; ///< (kg/m^3)
+  material::ThermalLaws thermal;
   std::vector<NamedSpring> springs;
   std::vector<NamedNetwork> networks;
+};
+
+/// What of a frame is not yet in its description.
+struct FrameDraft
+{
+  std::string section = "rectangle";
+  structure::RectangularSection rectangle;
+  /// None is half the thickness (m).
+  std::optional<double> offset = 0.;
 };
 
 using ProbePoint = std::optional<std::array<double, 3>>;
@@ -36,6 +46,8 @@ struct CaseDraft
   std::vector<MaterialDraft> materials;
   /// Per film.
   std::vector<std::string> film_materials;
+  /// Per frame.
+  std::vector<FrameDraft> frames;
   /// Per probe.
   std::vector<ProbePoint> probe_points;
   study::ComparisonDescription comparison;
@@ -54,6 +66,7 @@ void declare_everything(Declarations& all, CaseDraft& draft);
 void declare_materials(Declarations& all, const CaseText& text,
                        std::vector<MaterialDraft>& materials);
 void declare_device(Declarations& all, const CaseText& text, CaseDraft& draft);
+void declare_frames(Declarations& all, const CaseText& text, CaseDraft& draft);
 void declare_observation(Declarations& all, const CaseText& text,
                          CaseDraft& draft);
 void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft);

@@ -1,10 +1,8 @@
 #pragma once
 
+#include <taut/io/patch_columns.h>
 #include <taut/structure/systems.h>
 
-#include <deal.II/base/data_out_base.h>
-
-#include <string>
 #include <vector>
 
 namespace taut::io
@@ -32,18 +30,9 @@ namespace taut::io
 /// Displacement and velocity are nodal values. Directions and tension are those
 /// of the quadrature point next to the node, the others are extrapolated from
 /// the points of the cell, and so jump between cells by the error of the mesh.
-struct FilmPatches
+struct FilmPatches : PatchColumns
 {
   std::vector<dealii::DataOutBase::Patch<2, 3>> patches;
-  /// One name per component.
-  std::vector<std::string> names;
-  /// Which components form vectors.
-  std::vector<std::tuple<
-      unsigned int, unsigned int, std::string,
-      dealii::DataComponentInterpretation::DataComponentInterpretation>>
-      vectors;
-  /// By name; none for what is dimensionless.
-  std::map<std::string, std::string> units;
 };
 
 /// Collective.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <taut/base/exceptions.h>
 #include <taut/base/signal.h>
+#include <taut/material/temperature_law.h>
 
 #include <array>
 #include <functional>
@@ -78,6 +80,10 @@ Format<std::string> text(const std::string& allowed);
 Format<std::vector<std::string>> names(const std::string& what);
 /// A time history, see taut::Signal.
 Format<Signal> signal(const std::string& unit);
+/// How a property depends on the temperature, see material::TemperatureLaw.
+/// Errors of read: BadInput also for factors that are not positive in the law's
+/// range.
+Format<material::TemperatureLaw> temperature_law();
 /// Any of x, y, z separated by commas, or `none`.
 Format<std::array<bool, 3>> directions();
 
@@ -105,7 +111,14 @@ Format<std::optional<T>> optionally(const Format<T>& format,
   {
     if (text == otherwise)
       return std::nullopt;
-    return format.read(text);
+    try
+    {
+      return format.read(text);
+    }
+    catch (const BadInput& problem)
+    {
+      throw BadInput(problem.message() + ", or '" + otherwise + "'");
+    }
   };
   result.write = [=](const std::optional<T>& value)
   { return value ? format.write(*value) : otherwise; };

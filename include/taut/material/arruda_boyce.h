@@ -60,6 +60,11 @@ inline double shear_modulus(const ArrudaBoyce& spring)
          compute_inverse_langevin(1. / spring.limit_stretch);
 }
 
+inline ArrudaBoyce scale_moduli(const ArrudaBoyce& spring, double factor)
+{
+  return {factor * spring.shear_modulus, spring.limit_stretch};
+}
+
 /// The first invariant that the spring never reaches.
 inline double first_invariant_limit(const ArrudaBoyce& spring)
 {

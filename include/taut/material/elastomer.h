@@ -1,11 +1,13 @@
 #pragma once
 
 #include <taut/material/dielectric.h>
+#include <taut/material/held_width.h>
 #include <taut/material/network.h>
 #include <taut/material/number.h>
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 // An incompressible film in plane stress, thickness eliminated: springs and
@@ -18,13 +20,42 @@
 // stays in registers, which halves their time.
 namespace taut::material
 {
+/// Fibres across the first material axis, glued to the stretched film:
+/// unstrained at `rest_stretch`. W = (modulus/8) (C_yy/rest_stretch^2 - 1)^2
+/// per undeformed volume; they carry compression.
+struct Fibres
+{
+  double modulus;      ///< in Pa
+  double rest_stretch; ///< of the film across its first axis
+};
+
 struct Elastomer
 {
   std::vector<Spring> springs;
   std::vector<Network> networks;
   Dielectric dielectric;
   double density; ///< in kg/m^3
+  std::optional<Fibres> fibres = std::nullopt;
 };
+
+/// The energy of fibres in J/m^3 and its derivatives by C_yy in Pa.
+template <class Number>
+struct FibreEnergy
+{
+  Number value, by_yy;
+  double by_yy_yy;
+};
+
+template <class Number>
+FibreEnergy<Number> compute_fibre_energy(const Fibres& fibres,
+                                         const SymmetricTensor2<Number>& C)
+{
+  const double inverse_rest = 1. / (fibres.rest_stretch * fibres.rest_stretch);
+  const double factor = 0.25 * fibres.modulus * inverse_rest;
+  const Number strain = inverse_rest * C.yy - 1.;
+  return {(0.125 * fibres.modulus) * strain * strain, factor * strain,
+          factor * inverse_rest};
+}
 
 /// One internal variable A per network, null if there is no network.
 template <class Number>
@@ -34,7 +65,9 @@ using InternalVariables =
 /// The `alpha` of networks that do not flow.
 constexpr double frozen = std::numeric_limits<double>::infinity();
 
-/// The elastomer at infinitely slow strain: its networks carry nothing.
+/// The elastomer at infinitely slow strain: its networks carry nothing. (One
+/// whose width is held still pushes across, which does not matter where the
+/// width is held: its reaction is left out.)
 inline Elastomer relaxed(const Elastomer& elastomer)
 {
   Elastomer result = elastomer;
@@ -53,14 +86,24 @@ inline double shear_modulus(const Elastomer& elastomer)
   return modulus;
 }
 
-/// The internal variable of a network at rest, C^-1.
+/// The internal variable of an isotropic network at rest, C^-1.
 template <class Number>
 SymmetricTensor2<Number> relaxed_internal(const SymmetricTensor2<Number>& C)
 {
   return compute_inverse(C);
 }
 
-/// Energy of springs and networks in J/m^3.
+/// The internal variable of a network at rest.
+template <class Number>
+SymmetricTensor2<Number> relaxed_internal(const Network& network,
+                                          const SymmetricTensor2<Number>& C)
+{
+  return network.flow == FlowLaw::held_width
+             ? compute_held_width_rest(network, C)
+             : relaxed_internal(C);
+}
+
+/// Energy of springs, networks and fibres in J/m^3.
 template <class Number>
 Number stored_energy(const Elastomer& elastomer,
                      const SymmetricTensor2<Number>& C,
@@ -73,6 +116,8 @@ Number stored_energy(const Elastomer& elastomer,
   for (const Network& network : elastomer.networks)
     energy =
         energy + compute_energy(network.spring, compute_invariants(C, *A++));
+  if (elastomer.fibres)
+    energy = energy + compute_fibre_energy(*elastomer.fibres, C).value;
   return energy;
 }
 
@@ -118,6 +163,8 @@ stress(const Elastomer& elastomer, const SymmetricTensor2<Number>& C,
     sum = add_scaled(sum, W.t, *A++);
     l = l + W.l;
   }
+  if (elastomer.fibres)
+    sum.yy = sum.yy + compute_fibre_energy(*elastomer.fibres, C).by_yy;
   l = 2. * l;
   return combine(Number(2.), sum, l, compute_inverse(C, invariants.p));
 }
@@ -135,17 +182,28 @@ template <class Number>
                                            Matrix3<Number>& D)
 {
   const Invariants<Number> plane = compute_invariants(C);
+  const SymmetricTensor2<Number> inverse_C = compute_inverse(C, plane.p);
   StiffnessSum<Number> sum(compute_elastic_derivatives(elastomer, plane, field),
-                           compute_inverse(C, plane.p));
+                           inverse_C);
   for (const Network& network : elastomer.networks)
   {
     const Invariants<Number> invariants = compute_invariants(C, *A);
     const EnergyDerivatives<Number> W =
         compute_energy_derivatives(network.spring, invariants);
+    if (network.flow == FlowLaw::held_width)
+    {
+      add_held_width(network, C, *A++, inverse_C, W, alpha, sum);
+      continue;
+    }
     const Flow<Number> flow = make_flow(network, invariants, W);
     sum.add(*A++, W,
             make_flowing_coefficients(
                 W, flow, solve_flow(flow, invariants, alpha), invariants));
+  }
+  if (elastomer.fibres)
+  {
+    const auto fibres = compute_fibre_energy(*elastomer.fibres, C);
+    sum.add_across(fibres.by_yy, Number(fibres.by_yy_yy));
   }
   sum.get(S, D);
 }
@@ -162,8 +220,11 @@ rates(const Elastomer& elastomer, const SymmetricTensor2<Number>& C,
     const Invariants<Number> invariants = compute_invariants(C, *A);
     const EnergyDerivatives<Number> W =
         compute_energy_derivatives(network.spring, invariants);
-    *A_rate++ =
-        compute_rate(make_flow(network, invariants, W), *A++, inverse_C);
+    if (network.flow == FlowLaw::held_width)
+      *A_rate++ = compute_rate(make_held_width_flow(network, C, *A++, W));
+    else
+      *A_rate++ =
+          compute_rate(make_flow(network, invariants, W), *A++, inverse_C);
   }
 }
 
@@ -180,11 +241,15 @@ network_response(const Elastomer& elastomer, const SymmetricTensor2<Number>& C,
   const SymmetricTensor2<Number> inverse_C = compute_inverse(C);
   const SymmetricTensor2<Number> dC = {
       2. * dE_engineering.xx, 2. * dE_engineering.yy, dE_engineering.xy};
+  const SymmetricTensor2<Number> zero = {Number(0.), Number(0.), Number(0.)};
   for (const Network& network : elastomer.networks)
   {
-    const SymmetricTensor2<Number> zero = {Number(0.), Number(0.), Number(0.)};
-    *dA++ = compute_response(network, C, inverse_C, *A++, alpha, dC,
-                             r ? *r++ : zero);
+    const SymmetricTensor2<Number> right = r ? *r++ : zero;
+    *dA++ =
+        network.flow == FlowLaw::held_width
+            ? compute_held_width_response(network, C, inverse_C, *A++, alpha,
+                                          dC, right)
+            : compute_response(network, C, inverse_C, *A++, alpha, dC, right);
   }
 }
 
@@ -212,11 +277,16 @@ Number dissipation(const Elastomer& elastomer,
   Number sum(0.);
   for (const Network& network : elastomer.networks)
   {
-    const Invariants<Number> invariants = compute_invariants(C, *A++);
+    const Invariants<Number> invariants = compute_invariants(C, *A);
     const EnergyDerivatives<Number> W =
         compute_energy_derivatives(network.spring, invariants);
-    sum = sum +
-          compute_dissipation(make_flow(network, invariants, W), invariants, W);
+    sum =
+        sum +
+        (network.flow == FlowLaw::held_width
+             ? compute_dissipation(make_held_width_flow(network, C, *A, W), *A)
+             : compute_dissipation(make_flow(network, invariants, W),
+                                   invariants, W));
+    ++A;
   }
   return sum;
 }

@@ -18,6 +18,11 @@ inline double shear_modulus(const Gent& spring)
   return spring.shear_modulus;
 }
 
+inline Gent scale_moduli(const Gent& spring, double factor)
+{
+  return {factor * spring.shear_modulus, spring.limit};
+}
+
 /// The first invariant that the spring never reaches.
 inline double first_invariant_limit(const Gent& spring)
 {

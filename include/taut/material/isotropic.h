@@ -134,6 +134,12 @@ public:
            const EnergyDerivatives<Number>& W,
            const StiffnessCoefficients<Number>& coefficients);
 
+  /// A stiffness dS = 4 factor a (a : dE), symmetric.
+  void add_square(const Number& factor, const SymmetricTensor2<Number>& a);
+
+  /// An energy of C_yy alone, by its first two derivatives.
+  void add_across(const Number& by_yy, const Number& by_yy_yy);
+
   /// S in Pa and D = dS/dE (conventions of tensors.h) in Pa.
   void get(SymmetricTensor2<Number>& S, Matrix3<Number>& D) const;
 
@@ -181,6 +187,27 @@ void StiffnessSum<Number>::add(
     stiffness_[i][1] = stiffness_[i][1] + column[i] * row.yy;
     stiffness_[i][2] = stiffness_[i][2] + column[i] * row.xy;
   }
+}
+
+template <class Number>
+void StiffnessSum<Number>::add_square(const Number& factor,
+                                      const SymmetricTensor2<Number>& a)
+{
+  const std::array<Number, 3> row = {{a.xx, a.yy, a.xy}};
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const Number scaled = factor * row[i];
+    for (unsigned int j = 0; j < 3; ++j)
+      stiffness_[i][j] = stiffness_[i][j] + scaled * row[j];
+  }
+}
+
+template <class Number>
+void StiffnessSum<Number>::add_across(const Number& by_yy,
+                                      const Number& by_yy_yy)
+{
+  stress_.yy = stress_.yy + by_yy;
+  stiffness_[1][1] = stiffness_[1][1] + by_yy_yy;
 }
 
 template <class Number>

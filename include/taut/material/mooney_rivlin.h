@@ -16,6 +16,12 @@ inline double shear_modulus(const MooneyRivlin& spring)
   return 2. * (spring.first_coefficient + spring.second_coefficient);
 }
 
+inline MooneyRivlin scale_moduli(const MooneyRivlin& spring, double factor)
+{
+  return {factor * spring.first_coefficient,
+          factor * spring.second_coefficient};
+}
+
 template <class Number>
 Number compute_energy(const MooneyRivlin& spring,
                       const Invariants<Number>& invariants)

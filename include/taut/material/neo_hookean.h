@@ -15,6 +15,11 @@ inline double shear_modulus(const NeoHookean& spring)
   return spring.shear_modulus;
 }
 
+inline NeoHookean scale_moduli(const NeoHookean& spring, double factor)
+{
+  return {factor * spring.shear_modulus};
+}
+
 template <class Number>
 Number compute_energy(const NeoHookean& spring,
                       const Invariants<Number>& invariants)

@@ -4,19 +4,27 @@
 
 namespace taut::material
 {
+/// What a dashpot lets flow.
+enum class FlowLaw
+{
+  isotropic, ///< every direction alike
+  held_width ///< the first material axis only, see held_width.h
+};
+
 /// A spring in series with a dashpot, beside the other parts of an elastomer.
 /// Its viscosity is eta = G T with G the small-strain modulus of its spring.
 struct Network
 {
   Spring spring;
   double relaxation_time; ///< T in s
+  FlowLaw flow = FlowLaw::isotropic;
 };
 
-/// How the internal variable A = C_i^-1 of a network moves. From the deviator
-/// of the Kirchhoff stress tau = 2 W_t b + 2 W_l (in the plane, b = F A F^T;
-/// tau = 0 across the thickness) and an isotropic, isochoric flow (Reese and
-/// Govindjee 1998), F^-1 (dev tau) b F^-T = -eta dA/dt. With
-/// A C A = t A - d C^-1 that is
+/// How the internal variable A = C_i^-1 of an isotropic network moves. From the
+/// deviator of the Kirchhoff stress tau = 2 W_t b + 2 W_l (in the plane, b = F
+/// A F^T; tau = 0 across the thickness) and an isotropic, isochoric flow (Reese
+/// and Govindjee 1998), F^-1 (dev tau) b F^-T = -eta dA/dt. With A C A = t A -
+/// d C^-1 that is
 ///   dA/dt = mobility (a C^-1 - b A),  mobility = 2/eta,
 ///   a = d W_t,  b = (2 t W_t + W_l)/3.
 template <class Number>

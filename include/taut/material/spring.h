@@ -19,6 +19,14 @@ inline double shear_modulus(const Spring& spring)
   return std::visit([](const auto& law) { return shear_modulus(law); }, spring);
 }
 
+/// The spring with all its moduli, hence its energy, multiplied by a factor.
+inline Spring scale_moduli(const Spring& spring, double factor)
+{
+  return std::visit([factor](const auto& law) -> Spring
+                    { return scale_moduli(law, factor); },
+                    spring);
+}
+
 /// Springs that extend without limit.
 template <class Law>
 double first_invariant_limit(const Law&)

@@ -17,6 +17,13 @@ inline double shear_modulus(const Yeoh& spring)
   return 2. * spring.first_coefficient;
 }
 
+inline Yeoh scale_moduli(const Yeoh& spring, double factor)
+{
+  return {factor * spring.first_coefficient,
+          factor * spring.second_coefficient,
+          factor * spring.third_coefficient};
+}
+
 template <class Number>
 Number compute_energy(const Yeoh& spring, const Invariants<Number>& invariants)
 {

@@ -248,7 +248,9 @@ struct Probe : Named
   /// Name of the bar, electrode, support, film or frame; or physical groups,
   /// of which half_angle and distance take two points.
   std::string of;
-  /// Coordinates in the mesh (m) for point probes without `of`.
+  /// Of frame_force and frame_moment: a physical point, or empty for `point`.
+  std::string at;
+  /// Coordinates in the mesh (m) for point probes without `of` or `at`.
   std::array<double, 3> point{{0, 0, 0}};
   /// 0, 1, 2 = x, y, z, or first and second axis of the film.
   unsigned int component = 0;

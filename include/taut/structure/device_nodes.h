@@ -3,6 +3,7 @@
 #include <taut/fe/nodes.h>
 #include <taut/fe/triangulation.h>
 #include <taut/structure/description.h>
+#include <taut/structure/frame_nodes.h>
 
 #include <vector>
 
@@ -26,6 +27,7 @@ struct DeviceNodes
   std::vector<HeldComponent> moving;
   /// By support: the owned nodes it holds.
   std::vector<std::vector<fe::LocalNode>> of_support;
+  FrameNodes frames;
 };
 
 /// Errors: BadInput (with the line of the entry) if a group is missing in the

@@ -10,10 +10,14 @@ namespace taut::structure
 /// description, with their first rates (per s) and, for supports, second.
 struct LoadState
 {
-  std::vector<double> voltages, voltage_rates;   ///< (V)
-  std::vector<double> pressures, pressure_rates; ///< (Pa)
-  std::vector<double> edge_forces, edge_rates;   ///< (N/m)
+  std::vector<double> voltages, voltage_rates;         ///< (V)
+  std::vector<double> pressures, pressure_rates;       ///< (Pa)
+  std::vector<double> edge_forces, edge_rates;         ///< (N/m)
+  std::vector<double> point_forces, point_force_rates; ///< (N)
+  std::vector<double> point_moments;                   ///< (N m)
   std::vector<double> amplitudes, amplitude_rates, amplitude_second_rates;
+  std::vector<double> film_temperatures, film_temperature_rates;   ///< (K)
+  std::vector<double> frame_temperatures, frame_temperature_rates; ///< (K)
 };
 
 /// Reads the signals between two of their kinks as the smooth functions they
@@ -39,6 +43,8 @@ private:
   double inside(double time) const;
 
   std::vector<Signal> voltages_, pressures_, edges_, amplitudes_;
+  std::vector<Signal> film_temperatures_, frame_temperatures_;
+  std::vector<Signal> point_forces_, point_moments_;
   double start_;
   double end_;
 };

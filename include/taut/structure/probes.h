@@ -23,7 +23,8 @@ public:
   {
     return descriptions_[probe].name;
   }
-  /// "m", "m/s", "V", "C", "F", "N", "Pa", "V/m", "m^3" or "1".
+  /// "m", "rad", "m/s", "V", "C", "F", "N", "N m", "K", "Pa", "V/m", "m^3" or
+  /// "1".
   static std::string get_unit(Probe::Kind kind);
   std::string unit(const std::size_t probe) const
   {

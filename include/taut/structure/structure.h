@@ -3,7 +3,10 @@
 #include <taut/fe/film_assembly.h>
 #include <taut/fe/linear_solver.h>
 #include <taut/structure/device_nodes.h>
+#include <taut/structure/frames.h>
 #include <taut/structure/loads.h>
+#include <taut/structure/point_forces.h>
+#include <taut/structure/rotary_inertia.h>
 
 #include <memory>
 #include <vector>
@@ -22,8 +25,8 @@ struct Powers
 {
   double dissipation = 0; ///< in the networks (W)
   double drag = 0;        ///< lost to the air (W)
-  /// Of voltage sources (- Q dV/dt), dead loads (- dF/dt . u), pressures and
-  /// moving supports (W); see Energies::total.
+  /// Of voltage sources (- Q dV/dt), dead loads (- dF/dt . u), pressures,
+  /// moving supports and temperatures (dT/dt dPsi/dT) (W); see Energies::total.
   double work = 0;
 };
 
@@ -31,13 +34,17 @@ struct Energies
 {
   double kinetic = 0;  ///< (J)
   double stored = 0;   ///< springs and networks (J)
+  double frames = 0;   ///< bending, stretching, twisting of frames (J)
   double electric = 0; ///< (1/2) Q V (J)
   /// - F . u, in quasi-static problems also - p (volume) (J)
   double dead_loads = 0;
-  /// kinetic + stored - electric + dead_loads: what the balance follows.
+  /// rho c_0 ((T - T_0) - T ln(T/T_0)) of the films: a function of the
+  /// temperature alone, which the mechanical balance leaves out (J).
+  double thermal = 0;
+  /// What the balance follows.
   double total() const
   {
-    return kinetic + stored - electric + dead_loads;
+    return kinetic + stored + frames - electric + dead_loads;
   }
 };
 
@@ -80,6 +87,10 @@ public:
   {
     return *cells_;
   }
+  const Frames& frames() const
+  {
+    return *frames_;
+  }
   MPI_Comm communicator() const;
 
   std::size_t n_free() const
@@ -97,16 +108,16 @@ public:
   }
   /// Over all ranks.
   std::size_t n_free_global() const;
-  /// Largest extent of the mesh along an axis (m).
-  double mesh_size() const;
-
   /// Positions (m) of all local nodes for displacements u under `loads`.
   const fe::NodalVector& compute_positions(const LoadState& loads,
                                            const double* u);
-  /// Velocities (m/s) of all local nodes, as the inertia sees them.
+  /// Velocities (m/s) of all local nodes at the last compute_positions.
   fe::NodalVector compute_velocities(const LoadState& loads, const double* v);
-  std::vector<fe::BatchLaw> make_laws(const LoadState& loads,
-                                      Networks networks) const;
+  /// One law per slot of the cells, at the temperatures of the loads. With
+  /// `time_step` (s) moduli and permittivities have gone on by it along their
+  /// tangents. Errors: StepRejected outside the range of a law of temperature.
+  std::vector<fe::BatchLaw> make_laws(const LoadState& loads, Networks networks,
+                                      double time_step = 0) const;
 
   /// forces = external minus internal forces on the free unknowns (N) and, if
   /// `rates` is given, the rates of the internal variables.
@@ -124,6 +135,12 @@ public:
   double internal_force_norm() const
   {
     return internal_force_norm_;
+  }
+  /// Round-off of axial forces in frames, whose strain is a small difference of
+  /// positions (N).
+  double round_off_force() const
+  {
+    return round_off_force_ * frames_->stiffening();
   }
   /// Capacitance (F) and charge (C) of every electrode at the last
   /// compute_forces.
@@ -155,6 +172,34 @@ public:
                         bool inertia, bool symmetric, const double* x,
                         double* result);
 
+  /// Sets a point on the way to a rest shape: all stiffnesses of frames times
+  /// `stiffening`, and a dead load (N/m) along all frames. 1 and 0 at first.
+  void set_rest_path(double stiffening, const std::array<double, 3>& load);
+  /// The quaternions in u brought to their length in the mesh, which changes
+  /// no state.
+  void normalise_rotations(double* u) const;
+
+  /// What dampers of frames resist the velocities v with (N), at the last
+  /// compute_forces, and the power lost (W, this rank's share).
+  struct Damping
+  {
+    std::vector<double> forces;
+    double power;
+  };
+  Damping compute_frame_damping(const LoadState& loads, const double* v);
+  /// The same, linear in `rates`, at the state of the last factorise.
+  void add_frame_damping_product(const double* rates, double* result);
+  /// Replaces the forces on quaternions by what their accelerations would need
+  /// if the mass matrix held (see RotaryInertia), at the last compute_forces.
+  void turn_forces_into_accelerations(const double* v, double* forces) const;
+  /// Undoes this for a residual, at the state of the last factorise.
+  void turn_accelerations_into_forces(double* residual) const;
+  bool has_frame_damping() const;
+  bool has_follower_forces() const
+  {
+    return point_forces_->follow();
+  }
+
   /// forces += change of the forces for (alpha - dA'/dA)^{-1} r at the state of
   /// the last factorise; internal change likewise.
   void add_force_change(double alpha, const double* r, double* forces);
@@ -166,10 +211,8 @@ public:
   void multiply_mass(const double* x, double* result);
   void multiply_drag(const double* x, double* result);
   void solve_mass(const double* b, double* x);
-  bool has_drag() const
-  {
-    return device_.environment.air_drag > 0;
-  }
+  /// True if air or the mass damping of frames resists velocities.
+  bool has_drag() const;
   /// M a on the free unknowns for the accelerations of moving supports, given
   /// by the second rates of their amplitudes (or M v by their rates).
   std::vector<double>
@@ -188,12 +231,37 @@ private:
   fe::PressureLoad make_pressure(const std::vector<std::string>& groups) const;
   void make_weight();
   double compute_least_force() const;
+  void set_dead_forces(const LoadState& loads);
+  bool has_turning_nodes() const
+  {
+    return !nodes().bars.empty() || !nodes().followers.empty();
+  }
   fe::NodalVector make_edge_load(const EdgeLoad& load) const;
   std::vector<double> get_densities() const;
   std::vector<double>
-  compute_support_product(const std::vector<double>& densities,
+  compute_support_product(const std::vector<double>& densities, bool damping,
                           const std::vector<double>& rates) const;
   double get_displacement(std::size_t entry) const;
+  double compute_heat_power(const LoadState& loads,
+                            const double* internal) const;
+  double compute_thermal_energy(const LoadState& loads) const;
+  void make_frames();
+  void add_lumped_film_inertia();
+  void add_frame_weight();
+  double compute_round_off_force() const;
+  void add_frame_masses(bool damping, fe::TangentMatrix& matrix) const;
+  void add_frame_tangent(const fe::TangentRequest& request);
+  void add_follower_tangent(fe::TangentMatrix& matrix) const;
+  double compute_rotary_energy(const double* v) const;
+  std::vector<std::vector<fe::LocalNode>> get_frame_elements() const;
+  std::array<bool, 4> get_free_parts(const fe::Rotation& rotation) const;
+  Quaternion get_free_quaternion(const fe::Rotation& rotation,
+                                 const double* free) const;
+  void set_free_quaternion(const fe::Rotation& rotation, const Quaternion& q,
+                           double* free) const;
+  /// Calls function(rotation, its inertia) for the rotations this rank owns.
+  template <typename Function>
+  void for_each_rotation(const Function& function) const;
   void add_bar_forces(fe::NodalVector& forces) const;
   void add_bar_tangent(const fe::TangentRequest& request,
                        fe::TangentMatrix& matrix) const;
@@ -213,23 +281,35 @@ private:
   std::vector<material::Elastomer> relaxed_;
   std::unique_ptr<fe::FilmCells> cells_;
   std::vector<unsigned int> free_;
+  /// Index among the free unknowns by owned entry, or -1.
+  std::vector<int> free_index_;
+  std::unique_ptr<Frames> frames_;
+  std::unique_ptr<PointForces> point_forces_;
+  std::vector<LoadedNode> masses_;
+  std::vector<RotaryInertia> rotary_;
+  /// Stiffness (N/m) that fixes the length of a quaternion in statics.
+  std::vector<double> gauge_;
+  std::array<double, 3> rest_load_{}; ///< (N/m)
   std::vector<fe::PressureLoad> pressures_;
   fe::NodalVector weight_;             ///< (N)
   std::vector<fe::NodalVector> edges_; ///< per N/m of each edge load (m)
 
   /// The state of the last compute_positions / compute_forces.
-  fe::NodalVector positions_, forces_, pressure_forces_;
+  fe::NodalVector positions_, forces_, pressure_forces_, dead_forces_;
   fe::FilmPowers powers_;
+  double heat_power_ = 0; ///< of the films on this rank (W)
   double internal_force_norm_ = 1;
   double least_force_ = 0; ///< (N)
+  double round_off_force_ = 0;
   /// This rank's share of the forces on all local nodes, before collection;
-  /// kept if there are bars.
-  std::vector<double> bar_node_forces_;
+  /// kept if there are bars or followers.
+  std::vector<double> turned_forces_;
 
   /// The state at which the tangent was taken.
   fe::NodalVector tangent_positions_;
   std::vector<double> tangent_internal_;
   std::vector<fe::BatchLaw> tangent_laws_;
+  LoadState tangent_loads_;
   std::unique_ptr<fe::TangentMatrix> tangent_;
   std::unique_ptr<fe::LinearSolver> solver_;
   fe::LinearSolver::Kind solver_kind_ = fe::LinearSolver::Kind::symmetric;

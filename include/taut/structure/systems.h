@@ -4,6 +4,7 @@
 #include <taut/time/equilibrium.h>
 #include <taut/time/system.h>
 
+#include <functional>
 #include <vector>
 
 namespace taut::structure
@@ -24,6 +25,8 @@ public:
   void prepare(double load, const double* u) override;
   void solve(const double* r, double* d) override;
   double reference_force() const override;
+  double round_off_force() const override;
+  bool takes_full_steps() const override;
 
 private:
   Structure& structure_;
@@ -70,6 +73,14 @@ public:
   std::vector<double> make_initial_state(double time, Start start,
                                          bool in_equilibrium,
                                          const time::PathOptions& options);
+
+  /// Moves u from the mesh to the shape of the start, with the networks and
+  /// internal variables given.
+  using FindShape =
+      std::function<void(Networks networks, const double* internal, double* u)>;
+  /// The same with positions that `find_shape` finds.
+  std::vector<double> make_initial_state(double time, Start start,
+                                         const FindShape& find_shape);
 
   /// Parts of a state of this system.
   const double* internal(const double* state) const;

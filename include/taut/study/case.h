@@ -48,11 +48,11 @@ struct RestShapeDescription
   /// To which side (dimensionless, any length).
   std::array<double, 3> direction{{0, 0, 1}};
   /// Of the small load, relative to what bends the frames by their length.
-  double perturbation = 1e-2;
+  double perturbation = 10;
   /// The frames start so many times stiffer.
   double first_stiffness = 20;
   /// Steps of the path, at least.
-  unsigned int steps = 8;
+  unsigned int steps = 6;
   /// Also finds the shape on the other side and reports it.
   bool both_branches = false;
 };

@@ -56,6 +56,11 @@ struct RunSummary
   std::vector<Column> columns;
   std::vector<double> final_row;
   std::map<std::string, double> counters;
+  /// What the user should know and no number says.
+  std::vector<std::string> notes;
+  /// The row of history.csv for the rest shape on the other side, if it was
+  /// asked for.
+  std::vector<double> other_branch;
   std::map<std::string, double> timings;
   /// Largest absolute (J) and relative residual of the balance of energy.
   double balance_absolute = 0;

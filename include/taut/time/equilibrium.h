@@ -27,6 +27,22 @@ public:
   /// internal nodal forces before they cancel, at the state of the last
   /// compute_residual. Positive.
   virtual double reference_force() const = 0;
+  /// Called with a state that has converged; throws StepRejected if it is not
+  /// wanted, an unstable one on a path along stable ones, for instance.
+  virtual void check_equilibrium(double /*load*/, const double* /*u*/) {}
+  /// What round-off leaves of forces that cancel within an element (N): a
+  /// residual below it counts as zero.
+  virtual double round_off_force() const
+  {
+    return 0;
+  }
+  /// True if a step of Newton's method may enlarge the residual on its way to
+  /// the equilibrium, as it does where thin beams turn, so that no line search
+  /// may shorten it.
+  virtual bool takes_full_steps() const
+  {
+    return false;
+  }
 };
 
 struct EquilibriumOptions
@@ -48,11 +64,12 @@ struct EquilibriumStatistics
   double final_residual = 0;
 };
 
-/// Newton with line search (KINSOL) from `u`, which is overwritten only on
-/// success. Errors: StepRejected if no convergence or an inadmissible state
-/// that the line search cannot avoid (the message says which and how far it
-/// came); SolverFailed if the system itself failed. The residual is evaluated
-/// again after the solve and must meet the tolerance.
+/// Newton with line search, unless the problem takes full steps, (KINSOL) from
+/// `u`, which is overwritten only on success. Errors: StepRejected if no
+/// convergence or an inadmissible state that the line search cannot avoid (the
+/// message says which and how far it came); SolverFailed if the system itself
+/// failed. The residual is evaluated again after the solve and must meet the
+/// tolerance.
 EquilibriumStatistics find_equilibrium(EquilibriumProblem& problem, double load,
                                        double* u,
                                        const EquilibriumOptions& options);

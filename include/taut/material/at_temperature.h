@@ -1,0 +1,24 @@
+#pragma once
+
+#include <taut/material/elastomer.h>
+#include <taut/material/temperature_law.h>
+
+namespace taut::material
+{
+/// Whether moduli and relaxation times are the same at all temperatures.
+bool is_constant(const ThermalLaws& laws);
+
+/// The elastomer at a temperature T (K): moduli of springs and networks and
+/// relaxation times multiplied by the factors of their laws. With `step` (K),
+/// moduli and permittivity go on along their tangents at T: their energies are
+/// linear in them, so that the energy is linear in the step, with the slope
+/// dW/dT at T. Fibres stay as they are. Errors: StepRejected outside the range
+/// of a law.
+Elastomer make_at_temperature(const Elastomer& elastomer,
+                              const ThermalLaws& laws, double temperature,
+                              double step = 0.);
+
+/// rho c_0 ((T - T_0) - T ln(T/T_0)) in J/m^3, the free energy of heat.
+double compute_thermal_energy(const ThermalLaws& laws, double density,
+                              double temperature);
+} // namespace taut::material

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <taut/structure/device_nodes.h>
+
+namespace taut::structure
+{
+/// Holds what the supports of the device hold, of films and frames. `bar_of`:
+/// index of the bar by local node, or -1.
+/// Errors: BadInput, see make_device_nodes.
+void apply_supports(const Device& device, const fe::MeshData& mesh,
+                    const dealii::DoFHandler<2, 3>& dof_handler,
+                    const std::vector<int>& bar_of, DeviceNodes& result);
+} // namespace taut::structure

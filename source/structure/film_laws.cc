@@ -1,0 +1,82 @@
+#include <taut/material/at_temperature.h>
+#include <taut/structure/film_laws.h>
+#include <taut/structure/structure.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut::structure
+{
+Device add_fibres(Device device)
+{
+  for (Film& film : device.films)
+    if (film.fibre_modulus > 0)
+      film.material.fibres =
+          material::Fibres{film.fibre_modulus, film.pre_stretch[1]};
+  return device;
+}
+
+std::vector<fe::BatchLaw> Structure::make_laws(const LoadState& loads,
+                                               const Networks networks,
+                                               const double time_step) const
+{
+  auto laws = fe::make_laws(*cells_, loads.voltages);
+  for (unsigned int slot = 0; slot < laws.size(); ++slot)
+  {
+    fe::BatchLaw& law = laws[slot];
+    const unsigned int film = cells_->slots()[slot].film;
+    const material::ThermalLaws& thermal = device_.films[film].thermal;
+    law.field.temperature = loads.film_temperatures[film];
+    if (networks == Networks::relaxed)
+      law.elastomer = &relaxed_[film];
+    if (material::is_constant(thermal) && time_step == 0)
+      continue;
+    law.owned =
+        std::make_shared<material::Elastomer>(material::make_at_temperature(
+            *law.elastomer, thermal, loads.film_temperatures[film],
+            time_step * loads.film_temperature_rates[film]));
+    law.elastomer = law.owned.get();
+  }
+  return laws;
+}
+
+double Structure::compute_heat_power(const LoadState& loads,
+                                     const double* internal) const
+{
+  double fastest = 0;
+  for (const double rate : loads.film_temperature_rates)
+    fastest = std::max(fastest, std::abs(rate));
+  if (fastest == 0)
+    return 0;
+  // dT/dt dPsi/dT at fixed strain. Along the tangents of moduli and
+  // permittivity the energy of a taut film is linear, and the difference exact;
+  // that of a wrinkled film bends by the square of the step, 1e-2 K.
+  const double step = 1e-2 / fastest;
+  const auto compute = [&](const double time_step)
+  {
+    return fe::compute_energy(*cells_,
+                              make_laws(loads, Networks::as_given, time_step),
+                              positions_, internal)
+        .at_voltage;
+  };
+  return (compute(step) - compute(-step)) / (2 * step);
+}
+
+double Structure::compute_thermal_energy(const LoadState& loads) const
+{
+  double energy = 0;
+  for (unsigned int cell = 0; cell < cells_->cells().size(); ++cell)
+  {
+    const unsigned int film = cells_->cells()[cell].film;
+    const Film& description = device_.films[film];
+    if (description.thermal.heat_capacity == 0)
+      continue;
+    const double density = material::compute_thermal_energy(
+        description.thermal, description.material.density,
+        loads.film_temperatures[film]);
+    for (unsigned int q = 0; q < cells_->element().n_nodes; ++q)
+      energy += density * cells_->volume(cell, q);
+  }
+  return energy;
+}
+} // namespace taut::structure

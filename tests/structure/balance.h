@@ -1,0 +1,51 @@
+#pragma once
+
+#include <taut/structure/systems.h>
+#include <taut/time/integrate.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+/// The balance of energy, total + dissipated + lost - work = constant.
+namespace taut::testing
+{
+/// Largest change of the balance in a run, over the largest change of the
+/// total energy.
+inline double compute_drift(structure::StructureSystem& system,
+                            const double end,
+                            const time::IntegratorOptions& options)
+{
+  auto state =
+      system.make_initial_state(0, structure::Start::unrelaxed, true, {});
+  const auto balance = [&](const double time, const double* y)
+  {
+    const double* s = system.scalars(y);
+    return system.compute_energies(time, y).total() +
+           s[structure::Scalar::dissipated] + s[structure::Scalar::lost] -
+           s[structure::Scalar::work];
+  };
+  const double start = system.compute_energies(0, state.data()).total();
+  const double first = balance(0, state.data());
+  double drift = 0, change = 0;
+  time::Observer observer;
+  observer.step = [&](const time::Step& step, const auto&)
+  {
+    drift =
+        std::max(drift, std::abs(balance(step.end(), step.state()) - first));
+    change = std::max(
+        change,
+        std::abs(system.compute_energies(step.end(), step.state()).total() -
+                 start));
+  };
+  time::Schedule schedule;
+  schedule.end = end;
+  integrate(system, state.data(), schedule, options, {}, observer);
+  EXPECT_GT(system.scalars(
+                std::as_const(state).data())[structure::Scalar::dissipated],
+            0);
+  return drift / change;
+}
+} // namespace taut::testing
