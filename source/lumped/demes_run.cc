@@ -84,11 +84,7 @@ public:
 private:
   std::vector<double> make_segment_ends() const
   {
-    std::vector<double> ends =
-        demes_.drive.kinks(options_.start_time * demes_.time_unit,
-                           options_.end_time * demes_.time_unit);
-    for (double& end : ends)
-      end /= demes_.time_unit;
+    std::vector<double> ends = stepper_.get_kinks();
     ends.push_back(options_.end_time);
     return ends;
   }
