@@ -31,17 +31,16 @@ double DemesDrive::get_signal_time(const double time) const
 double DemesDrive::value(const double time) const
 {
   const double value =
-      time < end_ ? demes_.drive.value(std::max(signal_begin_,
-                                                time * demes_.time_unit))
-                  : demes_.drive.value_before(signal_end_);
+      time < end_
+          ? demes_.drive.value(std::max(signal_begin_, time * demes_.time_unit))
+          : demes_.drive.value_before(signal_end_);
   return value / demes_.drive_unit;
 }
 
 double DemesDrive::rate(const double time) const
 {
-  const double inside =
-      std::clamp(time * demes_.time_unit, signal_begin_,
-                 std::nextafter(signal_end_, signal_begin_));
+  const double inside = std::clamp(time * demes_.time_unit, signal_begin_,
+                                   std::nextafter(signal_end_, signal_begin_));
   return demes_.drive.rate(inside) * demes_.time_unit / demes_.drive_unit;
 }
 } // namespace taut::lumped

@@ -21,8 +21,8 @@ void set_balance(const lumped::DemesRun& run, const double unit,
   double drift = 0, moved = 0;
   for (const lumped::DemesRow& row : run.rows)
   {
-    drift = std::max(drift, std::abs(row.get_total_energy() -
-                                     start.get_total_energy()));
+    drift = std::max(
+        drift, std::abs(row.get_total_energy() - start.get_total_energy()));
     moved = std::max({moved, row.kinetic_energy, row.dissipated_energy,
                       std::abs(row.source_work),
                       std::abs(row.free_energy - start.free_energy)});

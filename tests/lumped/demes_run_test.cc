@@ -63,6 +63,14 @@ TEST(DemesRun, ExactlyStraightFrameStaysFlatAndSaysSo)
   EXPECT_FALSE(has_note(run_demes(demes, pushed), "stays flat"));
 }
 
+TEST(DemesRun, PreStretchTooSmallToBendIsANote)
+{
+  const Demes demes = make_demes(1.5);
+  const auto run = run_demes(demes, make_options(make_rest_start(demes), 5));
+  EXPECT_TRUE(has_note(run, "does not exceed 1.817"));
+  EXPECT_EQ(run.rows.back().angle, 0);
+}
+
 TEST(DemesRun, SeedAndEccentricityAreStated)
 {
   Demes demes = make_demes(2);

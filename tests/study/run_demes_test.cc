@@ -145,12 +145,13 @@ TEST(RunDemes, ImpossibleCasesAreRefused)
     change(run_case);
     EXPECT_THROW(run_demes(run_case, records), BadInput);
   };
-  expect_refusal(
-      [](Case& c)
-      { c.procedure.analysis = structure::Analysis::quasi_static; });
+  expect_refusal([](Case& c)
+                 { c.procedure.analysis = structure::Analysis::quasi_static; });
   expect_refusal([](Case& c) { c.lumped_demes.temperature_laws = "hard"; });
   expect_refusal(
-      [](Case& c) { c.lumped_demes.permittivity_coefficients = {1, 2}; });
+      [](Case& c) {
+        c.lumped_demes.permittivity_coefficients = {1, 2};
+      });
   expect_refusal([](Case& c) { c.lumped_demes.temperature = 500; });
   expect_refusal([](Case& c) { c.lumped_demes.inertia = 0; });
 }
