@@ -144,6 +144,86 @@ void declare_comparison(Section section, ComparisonDescription& comparison)
   section.required("Bar", comparison.bar, text("the name of a bar"),
                    "the bar between the strips");
 }
+
+/// Film and dashpot of a lumped DEMES.
+void declare_demes_film(Section section, LumpedDemesDescription& demes)
+{
+  const Format<double> length = number(positive(), "m");
+  const Format<double> pure = number(positive(), "dimensionless");
+  section
+      .required("Film length", demes.film_length, length,
+                "L_0, undeformed; times the pre-stretch that of the frame")
+      .required("Film width", demes.film_width, length,
+                "W_0, undeformed, which is held")
+      .required("Film thickness", demes.film_thickness, length,
+                "t_0, undeformed")
+      .optional("Film offset", demes.film_offset, number(any(), "m"),
+                "h, from the axis of the frame to the film, positive on the "
+                "hollow side of positive angles")
+      .optional("Pre-stretch", demes.pre_stretch, pure,
+                "lambda_p, of the film in the straight frame")
+      .required("Shear modulus", demes.shear_modulus, number(positive(), "Pa"),
+                "mu of the elastic spring")
+      .optional("Viscous ratio", demes.viscous_ratio,
+                number(not_negative(), "dimensionless"),
+                "beta, modulus of the viscous branch over mu")
+      .required("Viscosity", demes.viscosity, number(positive(), "Pa s"),
+                "eta of the dashpot")
+      .optional("Relative permittivity", demes.relative_permittivity,
+                number({1, 1e6}, "dimensionless"),
+                "eps_r of the unstretched film at 299 K")
+      .optional("Permittivity coefficients", demes.permittivity_coefficients,
+                numbers(any(), "dimensionless"),
+                "a, b, c of 1 + a (l - 1) + b (l - 1)^2 + c (l - 1)^3, by "
+                "default those of Wang et al. (2024); none is a constant");
+}
+
+/// Its frame, surroundings and start.
+void declare_demes_frame(Section section, LumpedDemesDescription& demes)
+{
+  section
+      .required("Frame modulus", demes.frame_modulus, number(positive(), "Pa"),
+                "Young's modulus at 299 K")
+      .required("Frame width", demes.frame_width, number(positive(), "m"),
+                "of both legs together")
+      .required("Frame thickness", demes.frame_thickness,
+                number(positive(), "m"), "in the direction in which it bends")
+      .required("Inertia", demes.inertia, number(positive(), "kg m^2"),
+                "twice the rotary inertia of each end")
+      .optional("Rest angle", demes.rest_angle, number(within(-3, 3), "rad"),
+                "half of the arc's angle of the frame without film")
+      .optional("Temperature laws", demes.temperature_laws,
+                one_of({"constant", "softening", "entropic"}),
+                "how moduli and viscosity follow the temperature")
+      .optional("Temperature", demes.temperature, number(positive(), "K"),
+                "of film and frame; the laws start at 299 K")
+      .optional("Charge controlled", demes.charge_controlled, yes_no(),
+                "whether Source is the charge (C) instead of the voltage")
+      .required("Source", demes.source, signal("V"),
+                "voltage between the electrodes, or charge on them")
+      .optional("Begin", demes.start,
+                choice<DemesStart>(
+                    {{"rest", DemesStart::rest}, {"flat", DemesStart::flat}}),
+                "relaxed at rest without voltage at 299 K, or straight with "
+                "the film relaxed at its pre-stretch")
+      .optional("Seed angle", demes.seed_angle, number(within(-3, 3), "rad"),
+                "with which a flat start leaves its unstable equilibrium; 0 "
+                "never leaves it")
+      .optional("Tolerance", demes.tolerance,
+                number(within(1e-13, 1e-3), "dimensionless"),
+                "local error of a step");
+}
+
+void declare_lumped_demes(Declarations& all, LumpedDemesDescription& demes)
+{
+  all.allow_section({}, "Lumped DEMES", false);
+  Section section =
+      all.section({"Lumped DEMES"},
+                  "a film across a frame that bends into an arc, the case of "
+                  "Model = demes");
+  declare_demes_film(section, demes);
+  declare_demes_frame(section, demes);
+}
 } // namespace
 
 void declare_lumped_resonator(Declarations& all,
@@ -194,6 +274,9 @@ void declare_lumped_resonator(Declarations& all,
 void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
 {
   Case& content = draft.content;
+  const Entry* model = text.find({}, "Model");
+  if (model && model->value == "demes")
+    declare_lumped_demes(all, content.lumped_demes);
   for (const char* kind : {"Procedure", "Output", "Checkpoint", "Comparison"})
     all.allow_section({}, kind, false);
   all.allow_section({"Procedure"}, "Integrator", false);

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "clamped_elastica.h"
-#include "scan_roots.h"
-#include "straight_state.h"
+#include "demes_elastica_clamped.h"
+#include "demes_roots.h"
+#include "demes_straight.h"
 #include <boost/math/differentiation/finite_difference.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_d.hpp>

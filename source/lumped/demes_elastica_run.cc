@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clamped_elastica.h"
+#include "demes_drive.h"
+#include "demes_elastica_clamped.h"
 
 namespace taut::lumped
 {
@@ -15,20 +16,26 @@ namespace
 class Motion
 {
 public:
-  explicit Motion(const DemesElastica& elastica)
-      : elastica_(elastica), clamped_(elastica)
+  Motion(const DemesElastica& elastica, const double start, const double end)
+      : elastica_(elastica), clamped_(elastica),
+        drive_(elastica.demes, start, end)
   {
+  }
+
+  const std::vector<double>& get_kinks() const
+  {
+    return drive_.get_kinks();
   }
 
   void begin_segment(const double begin, const double end, const double* y)
   {
-    end_ = end;
-    clamped_.start(y[0], y[2], get_drive(begin));
+    drive_.begin_segment(begin, end);
+    clamped_.start(y[0], y[2], drive_.value(begin));
   }
 
   void compute_rate(const double time, const double* y, double* rate)
   {
-    const auto& shape = clamped_.solve(y[0], y[2], get_drive(time));
+    const auto& shape = clamped_.solve(y[0], y[2], drive_.value(time));
     rate[0] = y[1];
     rate[1] = -clamped_.compute_moment(shape);
     rate[2] = compute_inner_rate(elastica_.demes,
@@ -41,7 +48,7 @@ public:
     row.time = time;
     row.velocity = y[1];
     row.inner_stretch = y[2];
-    row.drive = get_drive(time);
+    row.drive = drive_.value(time);
     row.shape = clamped_.solve(y[0], y[2], row.drive);
     row.stretch = clamped_.compute_stretch(row.shape);
     row.membrane_force =
@@ -50,19 +57,9 @@ public:
   }
 
 private:
-  /// In the present segment.
-  double get_drive(const double time) const
-  {
-    const Demes& demes = elastica_.demes;
-    const double at = time * demes.time_unit;
-    return (time < end_ ? demes.drive.value(at)
-                        : demes.drive.value_before(at)) /
-           demes.drive_unit;
-  }
-
   const DemesElastica& elastica_;
   ClampedElastica clamped_;
-  double end_ = 0;
+  DemesDrive drive_;
 };
 
 void require_start(const DemesElastica& elastica,
@@ -97,18 +94,14 @@ std::vector<ElasticaRow> run_elastica(const DemesElastica& elastica,
                                       const ElasticaRunOptions& options)
 {
   require_start(elastica, options);
-  const Demes& demes = elastica.demes;
-  Motion motion(elastica);
+  Motion motion(elastica, options.start_time, options.end_time);
   time::OdeProblem problem;
   problem.size = 3;
   problem.rate = [&](const double time, const double* y, double* rate)
   { motion.compute_rate(time, y, rate); };
   problem.begin_segment = [&](const double begin, const double end, double* y)
   { motion.begin_segment(begin, end, y); };
-  problem.stop_times = demes.drive.kinks(options.start_time * demes.time_unit,
-                                         options.end_time * demes.time_unit);
-  for (double& time : problem.stop_times)
-    time /= demes.time_unit;
+  problem.stop_times = motion.get_kinks();
   std::vector<ElasticaRow> rows;
   time::OdeObserver observer;
   observer.output = [&](const double time, const double* y)

@@ -84,11 +84,7 @@ public:
 private:
   std::vector<double> make_segment_ends() const
   {
-    std::vector<double> ends =
-        demes_.drive.kinks(options_.start_time * demes_.time_unit,
-                           options_.end_time * demes_.time_unit);
-    for (double& end : ends)
-      end /= demes_.time_unit;
+    std::vector<double> ends = stepper_.get_kinks();
     ends.push_back(options_.end_time);
     return ends;
   }
@@ -258,10 +254,7 @@ private:
   {
     const DemesState& start = options_.start;
     if (is_straight(demes_, start) && start.velocity == 0)
-      result_.notes.push_back(
-          "The frame stays flat: the straight frame without eccentricity is an "
-          "equilibrium, and a start exactly in it at rest never leaves it. "
-          "Give a seed angle, a velocity or an eccentricity.");
+      result_.notes.push_back(explain_flatness());
     else if (std::abs(start.angle) < 0.1 &&
              start.inner_stretch == demes_.pre_stretch)
       result_.notes.push_back(
@@ -274,6 +267,18 @@ private:
           "The film pushes, where a real one goes slack: its force falls to " +
           number_text(result_.smallest_force) +
           " at tau = " + number_text(result_.smallest_force_time) + ".");
+  }
+
+  std::string explain_flatness() const
+  {
+    const double critical = compute_critical_pre_stretch(demes_);
+    if (demes_.pre_stretch <= critical)
+      return "The frame stays flat: its pre-stretch " +
+             number_text(demes_.pre_stretch) + " does not exceed " +
+             number_text(critical) + ", at which the film bends it.";
+    return "The frame stays flat: the straight frame without eccentricity is "
+           "an equilibrium, and a start exactly in it at rest never leaves it. "
+           "Give a seed angle, a velocity or an eccentricity.";
   }
 
   const Demes& demes_;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scan_roots.h"
-#include "straight_state.h"
+#include "demes_roots.h"
+#include "demes_straight.h"
 
 namespace taut::lumped
 {

@@ -60,7 +60,8 @@ double fourth_power(const double x)
 DemesStepper::DemesStepper(const Demes& demes, const DemesRunOptions& options,
                            time::OdeStatistics& statistics)
     : demes_(demes), options_(options), statistics_(statistics),
-      rule_(get_radau_rule())
+      rule_(get_radau_rule()),
+      drive_signal_(demes, options.start_time, options.end_time)
 {
 }
 
@@ -69,27 +70,13 @@ void DemesStepper::start(const double time, const double end,
 {
   begin_ = time_ = time;
   end_ = end;
+  drive_signal_.begin_segment(time, end);
   state_ = state;
   last_step_ = 0;
   // Short against the oscillation that the stiffnesses of order 1 allow; the
   // error estimate adapts it at once.
   if (step_ == 0)
     step_ = 0.01;
-}
-
-double DemesStepper::get_drive(const double time) const
-{
-  const double at = time * demes_.time_unit;
-  return (time < end_ ? demes_.drive.value(at)
-                      : demes_.drive.value_before(at)) /
-         demes_.drive_unit;
-}
-
-double DemesStepper::get_drive_rate(const double time) const
-{
-  const double inside = std::min(time, std::nextafter(end_, begin_));
-  return demes_.drive.rate(inside * demes_.time_unit) * demes_.time_unit /
-         demes_.drive_unit;
 }
 
 double DemesStepper::get_relaxation_rate() const
@@ -310,7 +297,7 @@ void DemesStepper::compute_exchanges(const double step)
 {
   Nodal dissipation{}, source{};
   const bool voltage = demes_.control == DemesControl::voltage;
-  const bool constant = demes_.drive.is_constant();
+  const bool constant = drive_signal_.is_constant();
   for (int i = 1; i <= n; ++i)
   {
     dissipation[i - 1] = compute_dissipation(
@@ -319,7 +306,7 @@ void DemesStepper::compute_exchanges(const double step)
       continue;
     const double capacitance =
         formulas::compute_capacitance(demes_, stretch_[i]);
-    source[i - 1] = get_drive_rate(get_point_time(i)) * drive_[i] *
+    source[i - 1] = drive_signal_.rate(get_point_time(i)) * drive_[i] *
                     (voltage ? capacitance : -1 / capacitance);
   }
   dissipated_[0] = source_work_[0] = 0;

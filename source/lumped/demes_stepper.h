@@ -4,8 +4,10 @@
 #include <taut/lumped/demes_run.h>
 
 #include <string>
+#include <vector>
 
-#include "radau_rule.h"
+#include "demes_drive.h"
+#include "demes_radau_rule.h"
 
 namespace taut::lumped
 {
@@ -29,6 +31,12 @@ class DemesStepper
 public:
   DemesStepper(const Demes& demes, const DemesRunOptions& options,
                time::OdeStatistics& statistics);
+
+  /// Times of a jump or kink of the drive.
+  const std::vector<double>& get_kinks() const
+  {
+    return drive_signal_.get_kinks();
+  }
 
   /// Starts anew; the drive is smooth between `time` and `end`.
   void start(double time, double end, const DemesState& state);
@@ -59,14 +67,16 @@ public:
   /// At a time within the last step.
   DemesMoment interpolate(double time) const;
 
-  /// e in the present segment; its limit from the left at the end.
-  double get_drive(double time) const;
+  /// As DemesDrive in the present segment.
+  double get_drive(const double time) const
+  {
+    return drive_signal_.value(time);
+  }
 
 private:
   using Nodal = RadauRule::Nodal;
   using Sampled = RadauRule::Sampled;
 
-  double get_drive_rate(double time) const;
   double get_relaxation_rate() const;
   void predict(double step);
   bool solve(double step);
@@ -85,6 +95,7 @@ private:
   const DemesRunOptions& options_;
   time::OdeStatistics& statistics_;
   const RadauRule& rule_;
+  DemesDrive drive_signal_;
   double begin_ = 0, time_ = 0, end_ = 0;
   double step_ = 0;
   /// Length of the last step, 0 if there is none in this segment.

@@ -63,6 +63,14 @@ TEST(DemesRun, ExactlyStraightFrameStaysFlatAndSaysSo)
   EXPECT_FALSE(has_note(run_demes(demes, pushed), "stays flat"));
 }
 
+TEST(DemesRun, PreStretchTooSmallToBendIsANote)
+{
+  const Demes demes = make_demes(1.5);
+  const auto run = run_demes(demes, make_options(make_rest_start(demes), 5));
+  EXPECT_TRUE(has_note(run, "does not exceed 1.817"));
+  EXPECT_EQ(run.rows.back().angle, 0);
+}
+
 TEST(DemesRun, SeedAndEccentricityAreStated)
 {
   Demes demes = make_demes(2);
@@ -211,6 +219,23 @@ TEST(DemesRun, RowsAtAJumpShowTheStateAfterIt)
   EXPECT_EQ(run.rows[1].drive, 0.1);
   EXPECT_EQ(run.rows[2].time, 1);
   EXPECT_EQ(run.rows[2].drive, 0.3);
+}
+
+TEST(DemesRun, JumpsAreMetExactlyInOtherUnitsOfTime)
+{
+  // Scaled to and fro the times of most of these jumps miss themselves by
+  // round-off.
+  Demes demes = make_demes(2);
+  demes.time_unit = 0.0318;
+  std::vector<double> times, values;
+  for (int i = 0; i < 40; ++i)
+  {
+    times.push_back(0.0123 * i);
+    values.push_back(0.1 + 0.2 * (i % 2));
+  }
+  demes.drive = Signal::steps(times, values);
+  auto options = make_options(make_rest_start(demes), 39 * 0.0123 / 0.0318, 1);
+  EXPECT_LT(compute_drift(run_demes(demes, options)), 1e-8);
 }
 
 TEST(DemesRun, OutputsDoNotChangeTheMotion)

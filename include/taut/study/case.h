@@ -93,6 +93,43 @@ struct LumpedResonatorDescription
   Signal voltage;                ///< (V)
 };
 
+/// With which shape a lumped DEMES begins.
+enum class DemesStart
+{
+  rest, ///< the relaxed equilibrium without voltage at the reference temperature
+  flat  ///< the straight frame with a film that is relaxed at its pre-stretch
+};
+
+/// A dielectric elastomer minimum energy structure of the lumped kind (one
+/// angle; Wang et al. 2024) in SI: a film along the chord of a frame that bends
+/// into an arc.
+struct LumpedDemesDescription
+{
+  double film_length = 0;    ///< L_0 undeformed (m)
+  double film_width = 0;     ///< W_0, which is held (m)
+  double film_thickness = 0; ///< t_0 undeformed (m)
+  double film_offset = 0;    ///< h, of the film from the frame's axis (m)
+  double pre_stretch = 2;    ///< lambda_p; the frame is lambda_p L_0 long
+  double shear_modulus = 0;  ///< mu of the elastic spring (Pa)
+  double viscous_ratio = 2.5;     ///< beta, of the viscous branch to mu
+  double viscosity = 0;           ///< eta (Pa s)
+  double relative_permittivity = 5.310702; ///< of the unstretched film
+  /// a, b, c of 1 + a (l - 1) + b (l - 1)^2 + c (l - 1)^3; empty = constant.
+  std::vector<double> permittivity_coefficients{-0.1658, 0.04086, -0.00302754};
+  double frame_modulus = 0;   ///< Young's modulus (Pa)
+  double frame_width = 0;     ///< of both legs together (m)
+  double frame_thickness = 0; ///< (m)
+  double inertia = 0;         ///< I, twice that of each end (kg m^2)
+  double rest_angle = 0;      ///< of the frame without film (rad)
+  std::string temperature_laws = "softening"; ///< by name
+  double temperature = 299;                   ///< (K)
+  bool charge_controlled = false; ///< the source holds the charge
+  Signal source;                  ///< voltage (V) or charge (C)
+  DemesStart start = DemesStart::rest;
+  double seed_angle = 0.01; ///< of a flat start (rad)
+  double tolerance = 1e-9;  ///< local error of a step, relative
+};
+
 /// Which parts of the device play the parts of the lumped resonator.
 struct ComparisonDescription
 {
@@ -105,10 +142,12 @@ struct ComparisonDescription
 struct Case
 {
   std::string file;
-  /// "film": the device below by finite elements; "resonator": lumped.
+  /// "film": the device below by finite elements; "resonator" and "demes":
+  /// lumped.
   std::string model = "film";
   structure::Device device;
   LumpedResonatorDescription lumped_resonator;
+  LumpedDemesDescription lumped_demes;
   std::optional<ComparisonDescription> comparison;
   ProcedureDescription procedure;
   OutputDescription output;

@@ -1,4 +1,4 @@
-#include "radau_rule.h"
+#include "demes_radau_rule.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "straight_state.h"
+#include "demes_straight.h"
 
 #include <taut/base/exceptions.h>
 #include <taut/base/number_text.h>

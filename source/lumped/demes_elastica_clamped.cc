@@ -1,4 +1,4 @@
-#include "clamped_elastica.h"
+#include "demes_elastica_clamped.h"
 
 #include <taut/base/exceptions.h>
 

@@ -1,4 +1,4 @@
-#include "scan_roots.h"
+#include "demes_roots.h"
 
 #include <cmath>
 #include <cstdint>

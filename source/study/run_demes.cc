@@ -1,0 +1,90 @@
+#include <taut/base/exceptions.h>
+#include <taut/study/lumped_case_demes.h>
+#include <taut/study/output_times.h>
+#include <taut/study/run_demes.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace taut::study
+{
+namespace
+{
+/// The largest deviation of the total energy from that at the start, also over
+/// the largest energy that moved.
+void set_balance(const lumped::DemesRun& run, const double unit,
+                 RunSummary& summary)
+{
+  const lumped::DemesRow& start = run.rows[0];
+  double drift = 0, moved = 0;
+  for (const lumped::DemesRow& row : run.rows)
+  {
+    drift = std::max(
+        drift, std::abs(row.get_total_energy() - start.get_total_energy()));
+    moved = std::max({moved, row.kinetic_energy, row.dissipated_energy,
+                      std::abs(row.source_work),
+                      std::abs(row.free_energy - start.free_energy)});
+  }
+  summary.balance_absolute = unit * drift;
+  summary.balance_relative = moved > 0 ? drift / moved : 0;
+}
+
+std::vector<double> get_values(const LumpedDemesRow& row)
+{
+  std::vector<double> values;
+  for (const LumpedDemesColumn& column : get_lumped_demes_columns())
+    values.push_back(row.*column.value);
+  return values;
+}
+
+/// Tells `output` what happened and the summary how it ended.
+void report(const LumpedDemesDescription& device, const lumped::DemesRun& run,
+            RunOutput& output, RunSummary& summary)
+{
+  for (const lumped::DemesRow& row : run.rows)
+    output.write_row(get_values(make_lumped_row(device, row)));
+  for (const lumped::DemesEvent& event : run.events)
+    output.write_event(make_event_record(device, event));
+  const LumpedDemesRow last = make_lumped_row(device, run.rows.back());
+  summary.time_reached = last.time;
+  summary.final_row = get_values(last);
+  set_balance(run, lumped::make_scales(make_demes_si(device)).energy, summary);
+  summary.counters["steps"] = double(run.statistics.steps);
+  summary.counters["rejected"] = double(run.statistics.rejected);
+  summary.counters["evaluations"] = double(run.statistics.evaluations);
+  summary.notes = run.notes;
+}
+} // namespace
+
+RunSummary run_demes(const Case& run_case, RunOutput& output)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const auto& procedure = run_case.procedure;
+  RunSummary summary;
+  std::optional<lumped::DemesRun> run;
+  try
+  {
+    run = run_lumped(run_case.lumped_demes, procedure,
+                     make_output_times(procedure,
+                                       run_case.output.history_intervals,
+                                       run_case.output.history_times));
+  }
+  catch (const SolverFailed& failure)
+  {
+    summary.status = Status::failed;
+    summary.reason = failure.what();
+    summary.time_reached = procedure.start_time;
+  }
+  for (const LumpedDemesColumn& column : get_lumped_demes_columns())
+    summary.columns.push_back(column.column);
+  output.begin(summary.columns);
+  if (run)
+    report(run_case.lumped_demes, *run, output, summary);
+  summary.timings["total"] =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+          .count();
+  return summary;
+}
+} // namespace taut::study
