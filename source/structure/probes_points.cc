@@ -17,6 +17,16 @@ double compute_distance(const Coordinates& a, const Coordinates& b)
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+/// The values of all ranks together.
+Coordinates sum(const Coordinates& values, const MPI_Comm communicator)
+{
+  Coordinates total{};
+  dealii::Utilities::MPI::sum(
+      dealii::ArrayView<const double>(values.data(), values.size()),
+      communicator, dealii::ArrayView<double>(total.data(), total.size()));
+  return total;
+}
+
 /// By local node, whether it has a place in space that a probe can mean: not
 /// the directors of bars and the rotations, nor the nodes of a surface that is
 /// there only because the triangulation cannot be empty.
@@ -104,8 +114,7 @@ Probes::Point Probes::find_node(const Probe& probe,
     point.node = node;
   if (point.node)
     point.mesh_position = nodes.mesh_position[node];
-  dealii::Utilities::MPI::sum(point.mesh_position, structure.communicator(),
-                              point.mesh_position);
+  point.mesh_position = sum(point.mesh_position, structure.communicator());
   return point;
 }
 
@@ -116,9 +125,7 @@ Coordinates Probes::get_vector(const Point& point,
   if (point.node)
     for (unsigned int c = 0; c < 3; ++c)
       vector[c] = fe::entry(values, 3 * *point.node + c);
-  dealii::Utilities::MPI::sum(vector, system_.structure().communicator(),
-                              vector);
-  return vector;
+  return sum(vector, system_.structure().communicator());
 }
 
 double Probes::evaluate_point(const std::size_t probe,
