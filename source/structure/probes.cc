@@ -215,7 +215,8 @@ std::vector<double> Probes::evaluate(const double time, const double* state)
     structure.compute_forces(loads, state, system_.internal(state),
                              Networks::as_given, unused.data(), nullptr);
   }
-  const fe::NodalVector positions = structure.compute_positions(loads, state);
+  // Not a copy, which would lose the values at ghosts.
+  const fe::NodalVector& positions = structure.compute_positions(loads, state);
   fe::NodalVector velocities;
   const double* v = system_.velocities(state);
   if (v)
