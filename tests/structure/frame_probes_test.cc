@@ -274,6 +274,30 @@ TEST(FrameProbes, FilmAndFrameTogether)
   EXPECT_EQ(values[6], 320);
 }
 
+TEST(FrameProbes, VelocityOfAFrame)
+{
+  auto device = make_beam(make_point_load("tip", {0, 0, 1}));
+  device.frames[0].section.mass_per_length = 2;
+  device.frames[0].section.rotary_inertia = {1, 1, 1};
+  device.probes = {make_probe(Kind::velocity, "tip", 2),
+                   make_probe_at(Kind::velocity, {.5, 0, 0}, 2)};
+  Model model(device, make_polygon({{0, 0, 0}, {.5, 0, 0}, {1, 0, 0}}, 2));
+  structure::InertialSystem system(*model.structure);
+  structure::Probes probes(system);
+  auto state =
+      system.make_initial_state(0, structure::Start::relaxed, false, {});
+  const auto first = system.velocities(state.data()) - state.data();
+  // v_z = x in the mesh.
+  const auto& nodes = model.structure->nodes();
+  const auto& free = model.structure->free_unknowns();
+  for (std::size_t i = 0; i < free.size(); ++i)
+    if (free[i] % 3 == 2)
+      state[first + i] = nodes.mesh_position[free[i] / 3][0];
+  const auto values = probes.evaluate(0, state.data());
+  EXPECT_DOUBLE_EQ(values[0], 1);
+  EXPECT_DOUBLE_EQ(values[1], .5);
+}
+
 TEST(FrameProbes, PointOfFilmAndFrameMeansTheAxis)
 {
   structure::Device device;
