@@ -44,9 +44,9 @@ void declare_rest_shape(Section section, RestShapeDescription& rest)
                    three_numbers(any(), "dimensionless"),
                    "to which side the frames bend, of any length");
   section.optional("Perturbation", rest.perturbation,
-                   number(between(0, 1), "dimensionless"),
-                   "small load that decides the side and vanishes at the end, "
-                   "over the load that bends the frames by their length");
+                   number(positive(), "dimensionless"),
+                   "load along the frames that decides the side and is gone at "
+                   "the end, over 8 EI/L^3 with the extent L of the device");
   section.optional("First stiffness", rest.first_stiffness,
                    number(within(1, 1e6), "dimensionless"),
                    "how many times stiffer the frames are at first");
