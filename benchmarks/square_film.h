@@ -32,6 +32,7 @@ struct SquareFilm
   double pressure = 2;    ///< (Pa)
   double voltage = 1100;  ///< of the electrode (V)
   double damping = 0;     ///< air drag, relative to the critical one
+  double width_share = 1; ///< of the pre-stretch, across
 };
 
 inline material::Spring make_spring(const SquareFilm& square,
@@ -46,8 +47,9 @@ inline material::Spring make_spring(const SquareFilm& square,
 inline structure::Film make_film(const SquareFilm& square,
                                  const std::string& group, const double factor)
 {
-  auto film = testing::make_film(make_spring(square, factor * shear_modulus),
-                                 thickness, {{pre_stretch, pre_stretch}});
+  auto film =
+      testing::make_film(make_spring(square, factor * shear_modulus), thickness,
+                         {{pre_stretch, square.width_share * pre_stretch}});
   film.name = group;
   film.groups = {group};
   film.material.density = density;

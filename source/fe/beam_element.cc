@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "beam_quaternions.h"
-#include "beam_strain.h"
+#include "beam_element_quaternions.h"
+#include "beam_element_strain.h"
 
 namespace taut::fe
 {

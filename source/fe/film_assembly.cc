@@ -1,4 +1,5 @@
 #include <taut/fe/film_assembly.h>
+#include <taut/material/wrinkles.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -28,7 +29,11 @@ std::vector<BatchLaw> make_laws(const FilmCells& cells,
     const FilmSection& film = cells.films()[slot.film];
     const double field =
         slot.electrode < 0 ? 0. : voltages[slot.electrode] / film.thickness;
-    laws.push_back({film.elastomer, {field * field, film.temperature}});
+    laws.push_back({film.elastomer,
+                    {field * field, film.temperature},
+                    film.tension_field
+                        ? material::get_wrinkle_stiffness(*film.elastomer)
+                        : 0.});
   }
   return laws;
 }
@@ -43,7 +48,7 @@ LimitReport add_internal_forces(const FilmCells& cells,
   Buffer A(cells.internal_size()), dA(cells.internal_size());
   powers.dissipation = 0;
   powers.permittivity.assign(cells.slots().size(), 0.);
-  LimitReport report{std::numeric_limits<double>::infinity(), {}};
+  LimitReport report{std::numeric_limits<double>::infinity(), {}, false};
   for (unsigned int batch = 0; batch < cells.batches().size(); ++batch)
   {
     const FilmBatch& members = cells.batches()[batch];
@@ -54,7 +59,8 @@ LimitReport add_internal_forces(const FilmCells& cells,
         compute_forces(cells.geometry(batch), laws[members.slot], x.data(),
                        A.data(), f.data(), dA.data(), power);
     if (!(check.margin >= report.margin))
-      report = {check.margin, find_place(cells, batch, check)};
+      report = {check.margin, find_place(cells, batch, check),
+                check.wrinkles_grow};
     cells.scatter_add(batch, f.data(), forces);
     cells.scatter_internal(batch, dA.data(), rates);
     for (unsigned int lane = 0; lane < members.n_cells; ++lane)
@@ -232,8 +238,14 @@ FilmEnergy compute_energy(const FilmCells& cells,
   return sum;
 }
 
-std::vector<std::array<double, 3>> compute_metric(const FilmCells& cells,
-                                                  const NodalVector& positions)
+namespace
+{
+/// Gathers what compute(batch, positions, metric) gives for the points of each
+/// batch.
+template <typename Compute>
+std::vector<std::array<double, 3>> collect_metric(const FilmCells& cells,
+                                                  const NodalVector& positions,
+                                                  const Compute& compute)
 {
   const unsigned int n = cells.element().n_nodes;
   Buffer x(cells.nodal_size()), C(8 * 3 * n);
@@ -242,7 +254,7 @@ std::vector<std::array<double, 3>> compute_metric(const FilmCells& cells,
   {
     const FilmBatch& members = cells.batches()[batch];
     cells.gather(batch, positions, x.data());
-    compute_metric(cells.geometry(batch), x.data(), C.data());
+    compute(batch, x.data(), C.data());
     for (unsigned int lane = 0; lane < members.n_cells; ++lane)
       for (unsigned int q = 0; q < n; ++q)
         for (unsigned int i = 0; i < 3; ++i)
@@ -250,12 +262,38 @@ std::vector<std::array<double, 3>> compute_metric(const FilmCells& cells,
   }
   return metric;
 }
+} // namespace
 
-void set_relaxed(const FilmCells& cells, const NodalVector& positions,
-                 double* internal)
+std::vector<std::array<double, 3>> compute_metric(const FilmCells& cells,
+                                                  const NodalVector& positions)
+{
+  return collect_metric(
+      cells, positions,
+      [&](const unsigned int batch, const double* x, double* C)
+      { compute_metric(cells.geometry(batch), x, C); });
+}
+
+std::vector<std::array<double, 3>>
+compute_wrinkled_metric(const FilmCells& cells,
+                        const std::vector<BatchLaw>& laws,
+                        const NodalVector& positions, const double* internal)
+{
+  Buffer A(cells.internal_size());
+  return collect_metric(
+      cells, positions,
+      [&](const unsigned int batch, const double* x, double* C)
+      {
+        const BatchLaw& law = laws[cells.batches()[batch].slot];
+        cells.gather_internal(batch, internal, A.data());
+        compute_wrinkled_metric(cells.geometry(batch), law, x, A.data(), C);
+      });
+}
+
+void set_relaxed(const FilmCells& cells, const std::vector<BatchLaw>& laws,
+                 const NodalVector& positions, double* internal)
 {
   const unsigned int n = cells.element().n_nodes;
-  const auto metric = compute_metric(cells, positions);
+  const auto metric = compute_wrinkled_metric(cells, laws, positions, internal);
   for (unsigned int cell = 0; cell < cells.cells().size(); ++cell)
   {
     const auto& networks =

@@ -3,6 +3,7 @@
 #include <taut/fe/film_kernel.h>
 #include <taut/fe/lanes.h>
 #include <taut/fe/vector3.h>
+#include <taut/material/tension_field.h>
 
 #include <type_traits>
 
@@ -76,6 +77,29 @@ inline void add_forces(const Lanes* gradients, const DeformationGradient& F,
     for (unsigned int d = 0; d < 3; ++d)
       forces[3 * a + d] +=
           p1[d] * gradients[2 * a] + p2[d] * gradients[2 * a + 1];
+}
+
+/// Whether some lane of a film wrinkles; S is the stress of its metric and
+/// `margin` that of material::limit_margin.
+inline bool wrinkles(const BatchLaw& law, const Tensor& S, const double margin)
+{
+  return law.wrinkle_stiffness > 0 &&
+         (!(margin > 0) || any(!material::is_taut(S, law.wrinkle_stiffness)));
+}
+
+inline bool wrinkles(const BatchLaw& law, const Tensor& C, const Tensor* A,
+                     const Tensor& S)
+{
+  return law.wrinkle_stiffness > 0 &&
+         wrinkles(law, S, material::limit_margin(*law.elastomer, C, A));
+}
+
+inline material::Wrinkles<Lanes> find_wrinkles(const BatchLaw& law,
+                                               const Tensor& C, const Tensor* A,
+                                               const Tensor& S)
+{
+  return material::find_wrinkles(*law.elastomer, C, A, law.field, S,
+                                 law.wrinkle_stiffness);
 }
 
 /// Calls `function` with the number of nodes as a compile-time constant.

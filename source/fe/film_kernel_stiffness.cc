@@ -82,6 +82,18 @@ inline void symmetrise(material::Matrix3<Lanes>& D)
       D[i][j] = D[j][i] = (D[i][j] + D[j][i]) * Lanes(0.5);
 }
 
+/// From S and D of the metric to those of the film that wrinkles.
+void make_wrinkled_stiffness(const BatchLaw& law, const Tensor& C,
+                             const Tensor* A, const double alpha, Tensor& S,
+                             material::Matrix3<Lanes>& D)
+{
+  const auto state = find_wrinkles(law, C, A, S);
+  material::stress_and_stiffness(*law.elastomer, state.metric, A, law.field,
+                                 alpha, S, D);
+  D = material::condense_wrinkles(
+      material::make_wrinkle_response(state, C, S, D), D);
+}
+
 template <unsigned int n_nodes>
 void compute_stiffness(const BatchGeometry& geometry, const BatchLaw& law,
                        const double* shape_values, const double mass_factor,
@@ -98,11 +110,14 @@ void compute_stiffness(const BatchGeometry& geometry, const BatchLaw& law,
     const Lanes* gradients = as_lanes(geometry.gradients) + 2 * n_nodes * q;
     const auto F =
         make_deformation_gradient<n_nodes>(gradients, as_lanes(positions));
+    const Tensor C = make_metric(F);
+    const Tensor* A = as_tensors(internal) + n_networks * q;
     Tensor S;
     material::Matrix3<Lanes> D;
-    material::stress_and_stiffness(*law.elastomer, make_metric(F),
-                                   as_tensors(internal) + n_networks * q,
-                                   law.field, alpha, S, D);
+    material::stress_and_stiffness(*law.elastomer, C, A, law.field, alpha, S,
+                                   D);
+    if (wrinkles(law, C, A, S))
+      make_wrinkled_stiffness(law, C, A, alpha, S, D);
     if (symmetric)
       symmetrise(D);
     Moduli moduli;

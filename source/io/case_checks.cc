@@ -99,6 +99,10 @@ void check_film(const CaseText& text, const Film& film,
   const auto& axis = film.axis;
   if (std::hypot(axis[0], axis[1], axis[2]) == 0)
     text.refuse({"Film " + film.name}, "Axis", "the direction has no length");
+  if (film.tension_field && film.fibre_modulus > 0)
+    text.refuse({"Film " + film.name}, "Tension field",
+                "fibres carry compression, so that their film has none: set "
+                "it to false");
 }
 
 /// A motion is prescribed completely or not at all.

@@ -53,6 +53,9 @@ void declare_film(Section& section, Film& film, std::string& material)
                    number(not_negative(), "Pa"),
                    "of fibres across Axis, unstrained in the mesh, that hold "
                    "the width; 0 = none");
+  section.optional("Tension field", film.tension_field, yes_no(),
+                   "whether the film wrinkles and goes slack instead of "
+                   "carrying compression");
 }
 
 void declare_electrode(Section& section, Electrode& electrode)

@@ -70,6 +70,8 @@ Format<EventDescription::Kind> event_kind()
 {
   using Kind = EventDescription::Kind;
   return choice<Kind>({{"tension loss", Kind::tension_loss},
+                       {"wrinkling", Kind::wrinkling},
+                       {"slackness", Kind::slackness},
                        {"breakdown", Kind::breakdown},
                        {"probe above", Kind::probe_above},
                        {"probe below", Kind::probe_below}});
@@ -80,13 +82,15 @@ void declare_event(Section& section, EventDescription& event)
   section.required("Kind", event.kind, event_kind(), "what is watched for");
   section.optional("Of", event.of,
                    text("the name of a film or probe, or empty for all films"),
-                   "the film of a tension loss or breakdown, the probe of the "
-                   "others");
+                   "the film of a tension loss, wrinkling, slackness or "
+                   "breakdown, the probe of the others");
   section.optional("Threshold", event.threshold,
-                   number(any(), "Pa for a tension loss, else the probe's SI "
-                                 "unit"),
-                   "smallest principal stress of a taut film, or the value "
-                   "that the probe passes; not used by breakdown");
+                   number(any(),
+                          "Pa for a tension loss, wrinkling or slackness, "
+                          "else the probe's SI unit"),
+                   "smallest principal stress of a taut film, largest one of a "
+                   "slack film, or the value that the probe passes; not used "
+                   "by breakdown");
   section.optional("Quantile", event.quantile,
                    number(within(0, 1), "dimensionless"),
                    "share of the film's area that may be beyond the "

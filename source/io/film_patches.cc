@@ -39,6 +39,8 @@ void name_columns(const bool has_velocity, const unsigned int n_networks,
     for (const char* which : {"1", "2"})
       columns.add_scalar("network_" + std::to_string(m) + "_stretch_" + which);
   columns.add_vector("stress_direction_1");
+  columns.add_vector("wrinkle_direction");
+  columns.add_scalar("wrinkle_strain");
   columns.add_scalar("tension");
   for (const char* name : {"film", "electrode", "rank"})
     columns.add_scalar(name);
@@ -186,8 +188,10 @@ private:
     values.insert(values.end(), extrapolated.begin(), extrapolated.end());
     const PointFields& nearest =
         points_[cell * smooth.size() + to_nodes_.nearest(a)];
-    const auto& direction = nearest.stress_directions[0];
-    values.insert(values.end(), direction.begin(), direction.end());
+    for (const auto& direction :
+         {nearest.stress_directions[0], nearest.wrinkle_direction})
+      values.insert(values.end(), direction.begin(), direction.end());
+    values.push_back(nearest.wrinkle_strain);
     values.push_back(static_cast<double>(nearest.tension));
     values.push_back(film_cell.film);
     values.push_back(film_cell.electrode);

@@ -43,11 +43,12 @@ std::vector<fe::BatchLaw> Structure::make_laws(const LoadState& loads,
 double Structure::compute_heat_power(const LoadState& loads,
                                      const double* internal) const
 {
+  const double of_frames = frames_->compute_heat_power(loads, positions_);
   double fastest = 0;
   for (const double rate : loads.film_temperature_rates)
     fastest = std::max(fastest, std::abs(rate));
   if (fastest == 0)
-    return 0;
+    return of_frames;
   // dT/dt dPsi/dT at fixed strain. Along the tangents of moduli and
   // permittivity the energy of a taut film is linear, and the difference exact;
   // that of a wrinkled film bends by the square of the step, 1e-2 K.
@@ -59,7 +60,7 @@ double Structure::compute_heat_power(const LoadState& loads,
                               positions_, internal)
         .at_voltage;
   };
-  return (compute(step) - compute(-step)) / (2 * step);
+  return of_frames + (compute(step) - compute(-step)) / (2 * step);
 }
 
 double Structure::compute_thermal_energy(const LoadState& loads) const

@@ -1,4 +1,5 @@
 #include <taut/material/principal.h>
+#include <taut/material/tension_field.h>
 #include <taut/structure/point_fields.h>
 
 #include <algorithm>
@@ -65,22 +66,79 @@ double get_nominal_field(const Point& point)
   return std::sqrt(point.law.field.nominal_squared);
 }
 
+bool has_tension_field(const Point& point)
+{
+  return point.law.wrinkle_stiffness > 0;
+}
+
 Metric compute_stress(const Point& point, const Metric& C)
 {
   return material::stress(*point.law.elastomer, C, point.internal.data(),
                           point.law.field);
 }
 
-/// The smaller eigenvalue of S C, accurate also where both are equal.
-double compute_smaller_stress(const Metric& C, const Metric& S)
+/// The eigenvalues of S C, the larger first, accurate also where both are
+/// equal.
+std::array<double, 2> compute_stresses(const Metric& C, const Metric& S)
 {
   const double xx = S.xx * C.xx + S.xy * C.xy;
   const double yy = S.xy * C.xy + S.yy * C.yy;
   const double xy = S.xx * C.xy + S.xy * C.yy;
   const double yx = S.xy * C.xx + S.yy * C.xy;
+  const double mean = (xx + yy) / 2;
   const double half_difference = (xx - yy) / 2;
   const double square = half_difference * half_difference + xy * yx;
-  return (xx + yy) / 2 - std::sqrt(std::max(square, 0.));
+  const double radius = std::sqrt(std::max(square, 0.));
+  return {mean + radius, mean - radius};
+}
+
+Tension classify(const std::array<double, 2>& stresses)
+{
+  if (stresses[0] <= 0)
+    return Tension::slack;
+  return stresses[1] <= 0 ? Tension::wrinkled : Tension::taut;
+}
+
+/// What a point carries.
+struct State
+{
+  Tension tension;
+  Metric flat_stress; ///< without wrinkles
+  Metric metric;      ///< C*, of the film with its wrinkles
+  Metric stress;
+  /// C^-1 E C^-1; its principal values in the metric C are those of C^-1 E.
+  Metric wrinkles;
+};
+
+State compute_state(const Point& point, const Metric& C)
+{
+  const Metric S = compute_stress(point, C);
+  State state{classify(compute_stresses(C, S)), S, C, S, {0, 0, 0}};
+  if (!has_tension_field(point))
+    return state;
+  const auto wrinkles =
+      material::find_wrinkles(*point.law.elastomer, C, point.internal.data(),
+                              point.law.field, S, point.law.wrinkle_stiffness);
+  state.tension = wrinkles.slack      ? Tension::slack
+                  : wrinkles.wrinkled ? Tension::wrinkled
+                                      : Tension::taut;
+  state.metric = wrinkles.metric;
+  state.stress = compute_stress(point, state.metric);
+  state.wrinkles =
+      material::sandwich(material::compute_inverse(C),
+                         material::compute_wrinkle_strain(wrinkles, C));
+  return state;
+}
+
+CriticalValues make_critical_values(const Point& point, const Metric& C)
+{
+  const State state = compute_state(point, C);
+  double larger = compute_stresses(C, state.stress)[0];
+  if (has_tension_field(point) && state.tension == Tension::slack)
+    larger = -material::shear_modulus(*point.law.elastomer) *
+             compute_stresses(C, state.wrinkles)[1];
+  return {compute_stresses(C, state.flat_stress)[1], larger,
+          material::compute_true_field(state.metric, get_nominal_field(point))};
 }
 
 /// The internal variables of all networks of a point of a cell.
@@ -131,19 +189,12 @@ Metric compute_metric(const Gradient& F)
   return {dot(F[0], F[0]), dot(F[1], F[1]), dot(F[0], F[1])};
 }
 
-Tension classify(const std::array<double, 2>& stresses)
-{
-  if (stresses[0] <= 0)
-    return Tension::slack;
-  return stresses[1] <= 0 ? Tension::wrinkled : Tension::taut;
-}
-
 PointFields make_point_fields(const Point& point, const Gradient& F)
 {
   const Metric C = compute_metric(F);
+  const State state = compute_state(point, C);
   const auto stretches = material::compute_principal_stretches(C);
-  const auto stresses =
-      material::compute_principal_stresses(C, compute_stress(point, C));
+  const auto stresses = material::compute_principal_stresses(C, state.stress);
   PointFields fields;
   fields.stretches = stretches.values;
   fields.stresses = stresses.values;
@@ -153,12 +204,17 @@ PointFields make_point_fields(const Point& point, const Gradient& F)
     fields.stress_directions[i] = push_forward(F, stresses.directions[i]);
   }
   const double field = get_nominal_field(point);
-  fields.true_field = material::compute_true_field(C, field);
+  fields.true_field = material::compute_true_field(state.metric, field);
   fields.breakdown_margin = material::compute_breakdown_margin(
-      point.law.elastomer->dielectric, C, field);
-  fields.thickness =
-      point.film.thickness / std::sqrt(material::compute_determinant(C));
-  fields.tension = classify(stresses.values);
+      point.law.elastomer->dielectric, state.metric, field);
+  fields.thickness = point.film.thickness /
+                     std::sqrt(material::compute_determinant(state.metric));
+  fields.tension = state.tension;
+  const auto wrinkles = material::compute_principal_stresses(C, state.wrinkles);
+  fields.wrinkle_strain = std::sqrt(1 + wrinkles.values[0]) - 1;
+  fields.wrinkle_direction = {0, 0, 0};
+  if (fields.wrinkle_strain > 0)
+    fields.wrinkle_direction = push_forward(F, wrinkles.directions[0]);
   for (const Metric& A : point.internal)
     fields.internal_stretches.push_back(
         material::compute_principal_stretches(material::compute_inverse(A))
@@ -180,10 +236,7 @@ std::vector<CriticalValues> compute_critical_values(Structure& structure,
       [&](const Point& point)
       {
         const auto& [xx, yy, xy] = metric[point.index];
-        const Metric C{xx, yy, xy};
-        values[point.index] = {
-            compute_smaller_stress(C, compute_stress(point, C)),
-            material::compute_true_field(C, get_nominal_field(point))};
+        values[point.index] = make_critical_values(point, {xx, yy, xy});
       });
   return values;
 }

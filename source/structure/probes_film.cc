@@ -37,18 +37,21 @@ const fe::BatchLaw& find_law(const fe::FilmCells& cells,
   return laws[found - cells.slots().begin()];
 }
 
-/// Nominal stress along a material axis: |F e_k| S_kk (Pa).
+/// Nominal stress along a material axis, |F e_k| S_kk (Pa), with the stress of
+/// the wrinkled film, whose metric is `wrinkled`.
 double compute_nominal_stress(const fe::FilmCells& cells,
                               const fe::BatchLaw& law, const unsigned int cell,
                               const unsigned int q, const Tensor& C,
-                              const double* internal, const unsigned int axis)
+                              const Tensor& wrinkled, const double* internal,
+                              const unsigned int axis)
 {
   std::vector<Tensor> A;
   const double* values =
       internal + cells.first_internal(cell) + 3ul * q * cells.n_networks(cell);
   for (unsigned int m = 0; m < cells.n_networks(cell); ++m)
     A.push_back({values[3 * m], values[3 * m + 1], values[3 * m + 2]});
-  const Tensor S = material::stress(*law.elastomer, C, A.data(), law.field);
+  const Tensor S =
+      material::stress(*law.elastomer, wrinkled, A.data(), law.field);
   return axis == 0 ? std::sqrt(C.xx) * S.xx : std::sqrt(C.yy) * S.yy;
 }
 } // namespace
@@ -82,17 +85,23 @@ double Probes::evaluate_film(const std::size_t probe, const LoadState& loads,
   const auto metric =
       fe::compute_metric(cells, structure.compute_positions(loads, u));
   const auto laws = structure.make_laws(loads, Networks::as_given);
+  const auto wrinkled = fe::compute_wrinkled_metric(
+      cells, laws, structure.compute_positions(loads, u), internal);
   double volume = 0, integral = 0;
   for_each_point(cells, film,
                  [&](const unsigned int cell, const unsigned int q)
                  {
                    const auto& [xx, yy, xy] = metric[cell * n + q];
+                   const auto& [wrinkled_xx, wrinkled_yy, wrinkled_xy] =
+                       wrinkled[cell * n + q];
                    const double value =
                        description.kind == Kind::mean_stretch
                            ? std::sqrt(description.component == 0 ? xx : yy)
                            : compute_nominal_stress(
                                  cells, find_law(cells, laws, cell), cell, q,
-                                 {xx, yy, xy}, internal, description.component);
+                                 {xx, yy, xy},
+                                 {wrinkled_xx, wrinkled_yy, wrinkled_xy},
+                                 internal, description.component);
                    volume += cells.volume(cell, q);
                    integral += cells.volume(cell, q) * value;
                  });

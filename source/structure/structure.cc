@@ -9,18 +9,20 @@ namespace taut::structure
 namespace
 {
 /// Throws on every rank, with the place of the worst, if any rank has a spring
-/// beyond its limit.
+/// beyond its limit or wrinkles without end.
 void refuse_beyond_limit(const fe::LimitReport& limit, const MPI_Comm comm)
 {
   const double margin = std::isnan(limit.margin) ? -1. : limit.margin;
   if (dealii::Utilities::MPI::min(margin, comm) > 0)
     return;
   const auto all = dealii::Utilities::MPI::all_gather(
-      comm, std::array<double, 4>{
-                {margin, limit.place[0], limit.place[1], limit.place[2]}});
+      comm,
+      std::array<double, 5>{{margin, limit.place[0], limit.place[1],
+                             limit.place[2], double(limit.wrinkles_grow)}});
   const auto& worst = *std::min_element(all.begin(), all.end());
-  throw StepRejected("a spring is stretched beyond its limit near (" +
-                     std::to_string(worst[1]) + ", " +
+  throw StepRejected((worst[4] > 0 ? "the wrinkled film widens without end"
+                                   : "a spring is stretched beyond its limit") +
+                     std::string(" near (") + std::to_string(worst[1]) + ", " +
                      std::to_string(worst[2]) + ", " +
                      std::to_string(worst[3]) + ") m of the mesh");
 }

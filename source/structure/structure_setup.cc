@@ -124,7 +124,8 @@ void Structure::make_cells()
   std::vector<fe::FilmSection> sections;
   for (const auto& film : device_.films)
     sections.push_back({&film.material, film.thickness, film.pre_stretch,
-                        film.axis, film.temperature.value(0)});
+                        film.axis, film.temperature.value(0),
+                        film.tension_field});
   const auto film_of = map_surfaces(device_.films, mesh_, "Film");
   const auto electrode_of =
       map_surfaces(device_.electrodes, mesh_, "Electrode");

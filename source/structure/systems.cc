@@ -72,6 +72,7 @@ StructureSystem::make_initial_state(const double time, const Start start,
   if (start == Start::relaxed)
     fe::set_relaxed(
         structure_.cells(),
+        structure_.make_laws(history_.at(time), Networks::relaxed),
         structure_.compute_positions(history_.at(time), state.data()), A);
   return state;
 }

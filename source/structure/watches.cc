@@ -17,6 +17,19 @@ bool is_of_probe(const Kind kind)
   return kind == Kind::probe_above || kind == Kind::probe_below;
 }
 
+/// What falls as tension is lost (Pa).
+double get_stress(const Kind kind, const CriticalValues& point)
+{
+  return kind == Kind::slackness ? point.larger_stress : point.smaller_stress;
+}
+
+/// Across which tension is lost.
+Direction get_lost_direction(const PointFields& point)
+{
+  return point.wrinkle_strain > 0 ? point.wrinkle_direction
+                                  : point.stress_directions[1];
+}
+
 /// The value below which the share `quantile` of the weight lies, over all
 /// ranks; the smallest value if the share is 0.
 double compute_quantile(std::vector<std::pair<double, double>> values,
@@ -119,7 +132,8 @@ Watches::collect(const std::size_t event, const std::size_t film,
         const auto& point = critical[cell * n + q];
         values.push_back({events_[event].kind == Kind::breakdown
                               ? strength - point.true_field
-                              : point.smaller_stress - events_[event].threshold,
+                              : get_stress(events_[event].kind, point) -
+                                    events_[event].threshold,
                           cells.volume(cell, q)});
       }
   return values;
@@ -221,8 +235,9 @@ void Watches::locate(const std::size_t event,
         for (unsigned int q = 0; q < n; ++q)
         {
           const auto& point = critical[cell * n + q];
-          const double value =
-              breakdown ? -point.true_field : point.smaller_stress;
+          const double value = breakdown
+                                   ? -point.true_field
+                                   : get_stress(events_[event].kind, point);
           if (value < worst)
           {
             worst = value;
@@ -236,14 +251,14 @@ void Watches::locate(const std::size_t event,
   {
     const auto point = cells.mesh_point(index / n, index % n);
     std::copy(point.begin(), point.end(), found.begin() + 1);
-    const auto& direction = fields[index].stress_directions[1];
+    const auto direction = get_lost_direction(fields[index]);
     std::copy(direction.begin(), direction.end(), found.begin() + 4);
   }
   const auto all =
       dealii::Utilities::MPI::all_gather(structure.communicator(), found);
   const auto& first = *std::min_element(all.begin(), all.end());
   std::copy_n(first.begin() + 1, 3, report.point.begin());
-  if (!breakdown)
+  if (!breakdown && events_[event].kind != Kind::slackness)
     std::copy_n(first.begin() + 4, 3, report.direction.begin());
 }
 } // namespace taut::structure

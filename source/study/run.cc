@@ -25,6 +25,10 @@ std::string get_kind(const structure::EventDescription& event)
   {
   case Kind::tension_loss:
     return "tension_loss";
+  case Kind::wrinkling:
+    return "wrinkling";
+  case Kind::slackness:
+    return "slackness";
   case Kind::breakdown:
     return "breakdown";
   case Kind::probe_above:
@@ -250,10 +254,14 @@ void FilmRun::observe_path(const double time, const double* u,
 {
   std::copy(u, u + system_->structure().n_free(), state_.begin());
   if (case_.procedure.start == structure::Start::relaxed)
-    fe::set_relaxed(
-        system_->structure().cells(),
-        system_->structure().compute_positions(system_->history().at(time), u),
-        system_->internal(state_.data()));
+  {
+    const auto loads = system_->history().at(time);
+    structure::Structure& structure = system_->structure();
+    fe::set_relaxed(structure.cells(),
+                    structure.make_laws(loads, structure::Networks::relaxed),
+                    structure.compute_positions(loads, u),
+                    system_->internal(state_.data()));
+  }
   write(time, state_.data(), true);
   const auto watches = watches_.make_time_watches();
   for (std::size_t i = 0; i < watches.size(); ++i)

@@ -4,33 +4,29 @@
 #include <taut/io/files.h>
 #include <taut/io/film_patches.h>
 
-#include <deal.II/base/utilities.h>
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "io/output_files.h"
+#include "io/made_up_beams.h"
+#include "io/vtu_files.h"
 #include "structure/devices.h"
-#include <boost/iostreams/device/array.hpp>
-#include <boost/iostreams/filter/zlib.hpp>
-#include <boost/iostreams/filtering_stream.hpp>
-#include <boost/property_tree/xml_parser.hpp>
 
 namespace taut::io
 {
 namespace
 {
 using boost::property_tree::ptree;
+using testing::get_all;
+using testing::is_first;
+using testing::MadeUpBeams;
+using testing::read_xml;
+using testing::round_off;
 using testing::SharedFolder;
 namespace fs = std::filesystem;
 
 constexpr double radius = .03; // m
-/// deal.II keeps the numbers of a patch in single precision; lengths here are
-/// below .1 m.
-constexpr double round_off = 1e-8;
-
 /// A quarter of a cylinder, stretched by 2 around and 1.5 along it.
 struct Cylinder
 {
@@ -76,24 +72,6 @@ struct Cylinder
   std::vector<double> state;
 };
 
-ptree read_xml(const std::string& file)
-{
-  ptree tree;
-  boost::property_tree::read_xml(file, tree);
-  return tree;
-}
-
-/// The attribute `what` of all nodes `name` below `parent`.
-std::vector<std::string> get_all(const ptree& parent, const std::string& name,
-                                 const std::string& what)
-{
-  std::vector<std::string> values;
-  for (const auto& [key, node] : parent)
-    if (key == name)
-      values.push_back(node.get<std::string>("<xmlattr>." + what));
-  return values;
-}
-
 /// Components of the field `name` in a piece or, with a P, in a record.
 int count_components(const ptree& fields, const std::string& array,
                      const std::string& name)
@@ -133,11 +111,6 @@ unsigned int count_points(const fs::path& file)
   return sum;
 }
 
-bool is_first()
-{
-  return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-}
-
 TEST(FieldsWriter, FramesHoldEveryCellAndField)
 {
   const SharedFolder folder("fields");
@@ -162,12 +135,13 @@ TEST(FieldsWriter, FramesHoldEveryCellAndField)
     const ptree& fields =
         tree.get_child(is_record ? "VTKFile.PUnstructuredGrid.PPointData"
                                  : "VTKFile.UnstructuredGrid.Piece.PointData");
-    for (const char* name : {"displacement", "velocity", "stress_direction_1"})
+    for (const char* name : {"displacement", "velocity", "stress_direction_1",
+                             "wrinkle_direction"})
       EXPECT_EQ(count_components(fields, p + "DataArray", name), 3) << name;
     for (const char* name :
          {"stretch_1", "stretch_2", "stress_1", "stress_2", "true_field",
-          "breakdown_margin", "thickness", "tension", "network_1_stretch_1",
-          "film", "electrode", "rank"})
+          "breakdown_margin", "thickness", "wrinkle_strain", "tension",
+          "network_1_stretch_1", "film", "electrode", "rank"})
       EXPECT_EQ(count_components(fields, p + "DataArray", name), 1) << name;
   }
 }
@@ -211,112 +185,6 @@ TEST(FieldsWriter, LostFramesAreRefused)
   EXPECT_THROW(FieldsWriter(folder.path(), MPI_COMM_WORLD, 1), BadInput);
 }
 
-/// Two beam elements of three nodes on a parabola, moved along y and turned by
-/// a quarter about their axes; and the frames that they belong to.
-struct Beams
-{
-  Beams()
-  {
-    structure::RectangularSection section;
-    section.width = .01;
-    section.thickness = .002;
-    section.young_modulus = 2e9;
-    frames[1].section = structure::make_section(section);
-    for (unsigned int e = 0; e < 2; ++e)
-    {
-      elements.push_back({1, {}});
-      for (unsigned int i = 0; i < 3; ++i)
-        elements[e].nodes.push_back(make_point(e + .5 * i));
-    }
-  }
-
-  /// At x = s/10, the moment grows from left to right.
-  static structure::FramePoint make_point(const double s)
-  {
-    structure::FramePoint point;
-    point.mesh_position = {.1 * s, 0, .1 * s * s};
-    point.displacement = {0, .01 * s, 0};
-    point.axes = {{{{1, 0, 0}}, {{0, 0, 1}}, {{0, -1, 0}}}};
-    point.force = {1, 2, 3};
-    point.moment = {0, 5 * s, 0};
-    point.strain = .001 * s;
-    return point;
-  }
-
-  std::vector<structure::Frame> frames{2};
-  std::vector<structure::FrameElementFields> elements;
-};
-
-/// The numbers of a DataArray: base64 of four lengths, then of the numbers as
-/// zlib packs them.
-template <typename Number>
-std::vector<Number> decode(const ptree& array)
-{
-  std::string text = array.get_value<std::string>();
-  text.erase(std::remove_if(text.begin(), text.end(), isspace), text.end());
-  const std::size_t header_length = 24; // base64 of 16 bytes
-  const auto packed =
-      dealii::Utilities::decode_base64(text.substr(header_length));
-  boost::iostreams::filtering_istream stream;
-  stream.push(boost::iostreams::zlib_decompressor());
-  stream.push(boost::iostreams::array_source(
-      reinterpret_cast<const char*>(packed.data()), packed.size()));
-  std::vector<Number> numbers;
-  Number number;
-  while (stream.read(reinterpret_cast<char*>(&number), sizeof(Number)))
-    numbers.push_back(number);
-  return numbers;
-}
-
-template <typename Number>
-std::vector<Number> read_array(const ptree& part, const std::string& name)
-{
-  for (const auto& [key, node] : part)
-    if (key == "DataArray" && node.get("<xmlattr>.Name", "") == name)
-      return decode<Number>(node);
-  ADD_FAILURE() << "no array " << name;
-  return {};
-}
-
-TEST(FieldsWriter, BeamsAreLinesBetweenTheirNodes)
-{
-  const SharedFolder folder("fields_beams");
-  const Beams beams;
-  FieldsWriter writer(folder.path(), MPI_COMM_WORLD);
-  writer.write(.25, {}, make_frame_patches(beams.elements, beams.frames));
-  if (!is_first())
-    return;
-  const ptree piece = read_xml(folder.get("fields/beams_00000.vtu"))
-                          .get_child("VTKFile.UnstructuredGrid.Piece");
-  EXPECT_EQ(piece.get<unsigned int>("<xmlattr>.NumberOfPoints"), 6u);
-  const ptree& cells = piece.get_child("Cells");
-  EXPECT_EQ(read_array<int>(cells, "connectivity"),
-            (std::vector<int>{0, 1, 1, 2, 3, 4, 4, 5}));
-  constexpr std::uint8_t vtk_line = 3;
-  EXPECT_EQ(read_array<std::uint8_t>(cells, "types"),
-            std::vector<std::uint8_t>(4, vtk_line));
-  const ptree& fields = piece.get_child("PointData");
-  const auto x = decode<float>(piece.get_child("Points.DataArray"));
-  const auto displacement = read_array<float>(fields, "displacement");
-  const auto moment = read_array<float>(fields, "moment");
-  const auto across = read_array<float>(fields, "axis_3");
-  const auto strain = read_array<float>(fields, "strain");
-  for (unsigned int i = 0; i < 6; ++i)
-  {
-    const double s = i / 3 + .5 * (i % 3);
-    EXPECT_NEAR(x[3 * i], .1 * s, round_off);
-    EXPECT_NEAR(x[3 * i + 2], .1 * s * s, 10 * round_off);
-    EXPECT_NEAR(displacement[3 * i + 1], .01 * s, round_off);
-    EXPECT_NEAR(moment[3 * i + 1], 5 * s, 1e-6);
-    EXPECT_EQ(across[3 * i + 1], -1);
-    EXPECT_NEAR(strain[i], .001 * s, round_off);
-    EXPECT_NEAR(read_array<float>(fields, "width")[i], .01, round_off);
-    EXPECT_NEAR(read_array<float>(fields, "thickness")[i], .002, round_off);
-    EXPECT_EQ(read_array<float>(fields, "frame")[i], 1);
-    EXPECT_EQ(read_array<float>(fields, "force")[3 * i + 2], 3);
-  }
-}
-
 /// Part and file of everything that fields.pvd names.
 std::vector<std::pair<std::string, std::string>>
 list_parts(const SharedFolder& folder)
@@ -335,7 +203,7 @@ TEST(FieldsWriter, FilmAndBeamsArePartsOfOneTime)
 {
   const SharedFolder folder("fields_parts");
   Cylinder cylinder(2);
-  const Beams beams;
+  const MadeUpBeams beams;
   const auto film =
       make_film_patches(0, cylinder.system, cylinder.state.data());
   const auto lines = make_frame_patches(beams.elements, beams.frames);
@@ -427,6 +295,7 @@ TEST(FilmPatches, UniformFieldsReachTheNodes)
       {"breakdown_margin", 1},
       {"network_1_stretch_1", 1},
       {"tension", 0},
+      {"wrinkle_strain", 0},
       {"electrode", -1}};
   for (const auto& patch : film.patches)
     for (const auto& [name, value] : expected)

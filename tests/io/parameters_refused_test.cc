@@ -1,3 +1,5 @@
+#include <taut/io/case_checks.h>
+
 #include "io/refusal.h"
 
 namespace taut::io
@@ -339,6 +341,31 @@ TEST(BadJson, IsRefusedWithItsLine)
   refused("{\n\"Mesh\": [{}]\n}", 2, "not objects");
   refused("{\n\"Title\": \"a\"\n", 3, "not JSON");
   refused("3", 0, "JSON object");
+}
+
+TEST(BadDraft, FibresInAFilmThatWrinkles)
+{
+  const CaseText text = CaseText::parse(small_case, "case.prm");
+  Declarations all;
+  CaseDraft draft;
+  declare_case(all, text, draft);
+  all.assign(text);
+  resolve_names(text, draft);
+  structure::Film& film = draft.content.device.films.at(0);
+  film.fibre_modulus = 1e6;
+  try
+  {
+    check_case(text, draft);
+    FAIL() << "accepted";
+  }
+  catch (const BadInput& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("fibres carry compression"),
+              std::string::npos)
+        << error.what();
+  }
+  film.tension_field = false;
+  EXPECT_NO_THROW(check_case(text, draft));
 }
 } // namespace
 } // namespace taut::io

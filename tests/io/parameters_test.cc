@@ -77,6 +77,27 @@ TEST(Parameters, FilmsReceiveTheMaterialTheyName)
             4.7);
 }
 
+TEST(Parameters, WrinklesAndTheirEvents)
+{
+  const auto read = [](const std::string& from, const std::string& to)
+  {
+    std::string content = small_case;
+    content.replace(content.find(from), from.size(), to);
+    const CaseOnDisk disk(content);
+    return read_case(disk.file()).device;
+  };
+  const std::string thickness = "  set Thickness = 1e-3\n";
+  const auto films =
+      read(thickness, thickness + "  set Tension field = false\n").films;
+  EXPECT_FALSE(films.at(0).tension_field);
+  EXPECT_TRUE(films.at(1).tension_field);
+  using Kind = structure::EventDescription::Kind;
+  EXPECT_EQ(read("tension loss", "wrinkling").events.at(0).kind,
+            Kind::wrinkling);
+  EXPECT_EQ(read("tension loss", "slackness").events.at(0).kind,
+            Kind::slackness);
+}
+
 TEST(Parameters, EveryLawCanBeSelected)
 {
   const auto read_spring = [](const std::string& lines)

@@ -1,5 +1,8 @@
 // The functions of the material must serve packs of doubles that know nothing
-// but arithmetic, sqrt, log and exp: no comparison, no branch on a value.
+// but arithmetic, sqrt, log and exp: no branch on a value. Those of a tension
+// field also compare and choose.
+#include <taut/material/tension_field.h>
+
 #include "states.h"
 
 namespace pack
@@ -52,6 +55,39 @@ Pair exp(Pair x)
 double largest(Pair x)
 {
   return std::max(x.a, x.b);
+}
+
+struct Truths
+{
+  bool a, b;
+
+  friend Truths operator&(Truths x, Truths y)
+  {
+    return {x.a && y.a, x.b && y.b};
+  }
+  friend Truths operator|(Truths x, Truths y)
+  {
+    return {x.a || y.a, x.b || y.b};
+  }
+  friend Truths operator!(Truths x)
+  {
+    return {!x.a, !x.b};
+  }
+};
+
+Truths is_less(Pair x, Pair y)
+{
+  return {x.a < y.a, x.b < y.b};
+}
+
+Pair select(Truths condition, Pair x, Pair y)
+{
+  return {condition.a ? x.a : y.a, condition.b ? x.b : y.b};
+}
+
+bool any(Truths x)
+{
+  return x.a || x.b;
 }
 } // namespace pack
 
@@ -213,5 +249,35 @@ TEST(HeldWidthPacks, AreThoseOfEachLane)
   EXPECT_NEAR(dissipation(elastomer, C, A_pair.data()).b,
               dissipation(elastomer, second.C, A.data()),
               1e-12 * dissipation(elastomer, second.C, A.data()));
+}
+
+TEST_F(Packs, WrinklesAreThoseOfEachLane)
+{
+  const double stiffness = get_wrinkle_stiffness(elastomer);
+  const Tensor shapes[] = {make_turned(2., 1.9, .3), make_turned(1.6, .5, .3),
+                           make_turned(.5, .4, .3)};
+  const auto find = [&](const Tensor& metric, const std::vector<Tensor>& inner)
+  {
+    return find_wrinkles(elastomer, metric, inner.data(), field,
+                         stress(elastomer, metric, inner.data(), field),
+                         stiffness);
+  };
+  for (const Tensor& a : shapes)
+    for (const Tensor& b : shapes)
+    {
+      const std::vector<Tensor> inner(networks, make_identity<double>());
+      const std::vector<PairTensor> inner_pair(networks, make_identity<Pair>());
+      const PairTensor both = combine(a, b);
+      const auto pair = find_wrinkles(
+          elastomer, both, inner_pair.data(), field,
+          stress(elastomer, both, inner_pair.data(), field), stiffness);
+      const auto of_a = find(a, inner), of_b = find(b, inner);
+      expect_pair(pair.metric, of_a.metric, of_b.metric);
+      EXPECT_EQ(pair.wrinkled.a, of_a.wrinkled);
+      EXPECT_EQ(pair.wrinkled.b, of_b.wrinkled);
+      EXPECT_EQ(pair.slack.a, of_a.slack);
+      EXPECT_EQ(pair.slack.b, of_b.slack);
+      EXPECT_TRUE(pair.admissible.a && pair.admissible.b);
+    }
 }
 } // namespace

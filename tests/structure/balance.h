@@ -6,23 +6,37 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
+#include <functional>
 
 /// The balance of energy, total + dissipated + lost - work = constant.
 namespace taut::testing
 {
+/// The scalars of a state, which live on the first rank; collective.
+inline std::array<double, structure::n_scalars>
+get_scalars(const structure::StructureSystem& system, const double* state)
+{
+  std::array<double, structure::n_scalars> scalars{};
+  if (system.layout().scalars > 0)
+    std::copy_n(system.scalars(state), scalars.size(), scalars.begin());
+  for (double& scalar : scalars)
+    scalar = dealii::Utilities::MPI::sum(scalar, system.communicator());
+  return scalars;
+}
+
 /// Largest change of the balance in a run, over the largest change of the
-/// total energy.
-inline double compute_drift(structure::StructureSystem& system,
-                            const double end,
-                            const time::IntegratorOptions& options)
+/// total energy; `watch` sees every step.
+inline double
+compute_drift(structure::StructureSystem& system, const double end,
+              const time::IntegratorOptions& options,
+              const std::function<void(double, const double*)>& watch = {})
 {
   auto state =
       system.make_initial_state(0, structure::Start::unrelaxed, true, {});
   const auto balance = [&](const double time, const double* y)
   {
-    const double* s = system.scalars(y);
+    const auto s = get_scalars(system, y);
     return system.compute_energies(time, y).total() +
            s[structure::Scalar::dissipated] + s[structure::Scalar::lost] -
            s[structure::Scalar::work];
@@ -33,6 +47,8 @@ inline double compute_drift(structure::StructureSystem& system,
   time::Observer observer;
   observer.step = [&](const time::Step& step, const auto&)
   {
+    if (watch)
+      watch(step.end(), step.state());
     drift =
         std::max(drift, std::abs(balance(step.end(), step.state()) - first));
     change = std::max(
@@ -43,8 +59,7 @@ inline double compute_drift(structure::StructureSystem& system,
   time::Schedule schedule;
   schedule.end = end;
   integrate(system, state.data(), schedule, options, {}, observer);
-  EXPECT_GT(system.scalars(
-                std::as_const(state).data())[structure::Scalar::dissipated],
+  EXPECT_GT(get_scalars(system, state.data())[structure::Scalar::dissipated],
             0);
   return drift / change;
 }

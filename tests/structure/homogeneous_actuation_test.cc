@@ -37,6 +37,8 @@ structure::Device make_device(const material::Spring& spring,
 {
   structure::Device device;
   device.films = {testing::make_film(spring, 1, pre_stretch)};
+  // The closed forms go on where the film is pressed.
+  device.films[0].tension_field = false;
   device.electrodes = {testing::make_electrode("film", Signal())};
   device.supports = {testing::make_support("film", {{false, false, true}}),
                      testing::make_support("west", {{true, false, false}}),

@@ -97,6 +97,7 @@ TEST(LongTime, EndsInTheRelaxedEquilibrium)
   std::vector<double> relaxed(structure.n_internal());
   fe::set_relaxed(
       structure.cells(),
+      structure.make_laws(statics.get_loads(), structure::Networks::relaxed),
       structure.compute_positions(statics.get_loads(), statics.u.data()),
       relaxed.data());
   const double* A = system.internal(state.data());

@@ -20,11 +20,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Curved sheet with two materials, an electrode, pressure, networks, hanging
 /// nodes and a bar that is free to rotate.
-std::unique_ptr<testing::Model> make_everything(const unsigned int degree)
+std::unique_ptr<testing::Model>
+make_stretched(const unsigned int degree,
+               const std::array<double, 2>& pre_stretch)
 {
   structure::Device device;
   device.mesh.degree = degree;
-  auto film = testing::make_film(material::Gent{2e4, 60}, 1e-3, {{1.5, 2}});
+  auto film = testing::make_film(material::Gent{2e4, 60}, 1e-3, pre_stretch);
   film.material.networks = {{material::Gent{1e4, 60}, 0.01},
                             {material::NeoHookean{5e3}, 1}};
   film.axis = {{1, 0.3, 0}};
@@ -51,6 +53,21 @@ std::unique_ptr<testing::Model> make_everything(const unsigned int degree)
             cell->set_refine_flag();
         triangulation.execute_coarsening_and_refinement();
       });
+}
+
+std::unique_ptr<testing::Model> make_everything(const unsigned int degree)
+{
+  return make_stretched(degree, {{1.5, 2}});
+}
+
+std::unique_ptr<testing::Model> make_wrinkled(const unsigned int degree)
+{
+  return make_stretched(degree, {{1.5, .5}});
+}
+
+std::unique_ptr<testing::Model> make_slack(const unsigned int degree)
+{
+  return make_stretched(degree, {{.6, .5}});
 }
 
 /// The sheet in a frame: a beam along the north edge, from its end an arm into
@@ -269,10 +286,14 @@ TEST_P(Tangent, symmetric_when_networks_are_frozen)
 
 INSTANTIATE_TEST_SUITE_P(films, CondensedTangent,
                          ::testing::Values(Setting{make_everything, 1},
-                                           Setting{make_everything, 2}));
+                                           Setting{make_everything, 2},
+                                           Setting{make_wrinkled, 2},
+                                           Setting{make_slack, 2}));
 INSTANTIATE_TEST_SUITE_P(devices, Tangent,
                          ::testing::Values(Setting{make_everything, 1},
                                            Setting{make_everything, 2},
+                                           Setting{make_wrinkled, 2},
+                                           Setting{make_slack, 2},
                                            Setting{make_framed_sheet, 1},
                                            Setting{make_framed_sheet, 2}));
 } // namespace

@@ -21,6 +21,8 @@ struct LimitReport
   /// Not positive (or NaN): beyond it.
   double margin;
   std::array<double, 3> place; ///< in the mesh (m)
+  /// Beyond because wrinkles grow without end, not by a spring's limit.
+  bool wrinkles_grow;
 };
 
 struct FilmPowers
@@ -104,9 +106,10 @@ FilmEnergy compute_energy(const FilmCells& cells,
                           const std::vector<BatchLaw>& laws,
                           const NodalVector& positions, const double* internal);
 
-/// The relaxed internal variables A = C^{-1} at the given positions.
-void set_relaxed(const FilmCells& cells, const NodalVector& positions,
-                 double* internal);
+/// The relaxed internal variables at the given positions, A = C^{-1} of the
+/// film, wrinkled if so; `laws` without networks.
+void set_relaxed(const FilmCells& cells, const std::vector<BatchLaw>& laws,
+                 const NodalVector& positions, double* internal);
 
 /// A = 1: the undeformed film.
 void set_unrelaxed(const FilmCells& cells, double* internal);
@@ -114,4 +117,10 @@ void set_unrelaxed(const FilmCells& cells, double* internal);
 /// C at the points of all cells, [cell][q] as (xx, yy, xy).
 std::vector<std::array<double, 3>> compute_metric(const FilmCells& cells,
                                                   const NodalVector& positions);
+
+/// C* of the wrinkled film, likewise; C where it is taut.
+std::vector<std::array<double, 3>>
+compute_wrinkled_metric(const FilmCells& cells,
+                        const std::vector<BatchLaw>& laws,
+                        const NodalVector& positions, const double* internal);
 } // namespace taut::fe

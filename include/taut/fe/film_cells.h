@@ -20,6 +20,7 @@ struct FilmSection
   std::array<double, 2> pre_stretch; ///< principal values of P
   std::array<double, 3> axis;        ///< first axis of P; any length
   double temperature;                ///< (K)
+  bool tension_field;                ///< wrinkles instead of compression
 };
 
 /// A cell as the mesh gives it.

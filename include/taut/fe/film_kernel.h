@@ -29,6 +29,10 @@ struct BatchLaw
 {
   const material::Elastomer* elastomer;
   material::Field field;
+  /// What wrinkles cost (Pa, see taut/material/tension_field.h): all that
+  /// depends on C = F^T F does so through the metric C* of the wrinkled film.
+  /// 0: the film carries compression.
+  double wrinkle_stiffness = 0;
   /// Holds *elastomer if it was made for this law, else null.
   std::shared_ptr<const material::Elastomer> owned = nullptr;
 };
@@ -40,6 +44,8 @@ struct LimitCheck
   double margin;
   unsigned int point;
   unsigned int lane;
+  /// Inadmissible because wrinkles grow without end, not by a spring's limit.
+  bool wrinkles_grow;
 };
 
 /// Sums over the points of each cell, [lane].
@@ -98,6 +104,11 @@ void compute_energy(const BatchGeometry& geometry, const BatchLaw& law,
 /// Right Cauchy-Green tensor C at the points, [q][3] as (xx, yy, xy).
 void compute_metric(const BatchGeometry& geometry, const double* positions,
                     double* metric);
+
+/// The metric C* of the wrinkled film, likewise; C where it is taut.
+void compute_wrinkled_metric(const BatchGeometry& geometry, const BatchLaw& law,
+                             const double* positions, const double* internal,
+                             double* metric);
 
 /// Forces [a][3] (N) of a pressure (Pa) that follows the current surface, and
 /// their derivative with respect to x, [a][3][b][3] (N/m), not symmetrised.

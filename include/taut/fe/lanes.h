@@ -92,6 +92,44 @@ inline Lanes exp(const Lanes& a)
   return apply(a, [](const double x) { return std::exp(x); });
 }
 
+/// One truth per lane: all bits set, or none.
+struct LaneMask
+{
+  using Bits = decltype(Lanes::Vector{} < Lanes::Vector{});
+  Bits v;
+
+  friend LaneMask operator&(const LaneMask& a, const LaneMask& b)
+  {
+    return {a.v & b.v};
+  }
+  friend LaneMask operator|(const LaneMask& a, const LaneMask& b)
+  {
+    return {a.v | b.v};
+  }
+  friend LaneMask operator!(const LaneMask& a)
+  {
+    return {~a.v};
+  }
+};
+
+inline LaneMask is_less(const Lanes& a, const Lanes& b)
+{
+  return {a.v < b.v};
+}
+
+inline Lanes select(const LaneMask& condition, const Lanes& a, const Lanes& b)
+{
+  return Lanes(condition.v ? a.v : b.v);
+}
+
+inline bool any(const LaneMask& condition)
+{
+  long long bits = 0;
+  for (unsigned int i = 0; i < n_lanes; ++i)
+    bits |= condition.v[i];
+  return bits != 0;
+}
+
 /// Largest lane; NaN if any lane is.
 inline double largest(const Lanes& a)
 {

@@ -25,4 +25,30 @@ double largest(const Number& number)
 {
   return largest(number.val());
 }
+
+/// Comparison and choice by value. A type that holds several values brings its
+/// own overloads, which compare and choose value by value; their masks know
+/// `&`, `|` and `!`.
+template <class Number>
+bool is_less(const Number& a, const Number& b)
+{
+  return a < b;
+}
+
+template <class Number>
+Number select(bool condition, const Number& a, const Number& b)
+{
+  return condition ? a : b;
+}
+
+/// Whether a condition holds for one value at least.
+inline bool any(bool condition)
+{
+  return condition;
+}
+
+/// What is_less gives: one truth per value.
+template <class Number>
+using Mask = decltype(is_less(std::declval<const Number&>(),
+                              std::declval<const Number&>()));
 } // namespace taut::material

@@ -50,6 +50,13 @@ combine(const Number& factor_a, const SymmetricTensor2<Number>& a,
           factor_a * a.xy + factor_b * b.xy};
 }
 
+template <class Number>
+SymmetricTensor2<Number> add(const SymmetricTensor2<Number>& a,
+                             const SymmetricTensor2<Number>& b)
+{
+  return {a.xx + b.xx, a.yy + b.yy, a.xy + b.xy};
+}
+
 /// sum + factor a.
 template <class Number>
 SymmetricTensor2<Number> add_scaled(const SymmetricTensor2<Number>& sum,

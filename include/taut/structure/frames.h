@@ -64,6 +64,11 @@ public:
   double compute_energy(const LoadState& loads,
                         const fe::NodalVector& positions) const;
 
+  /// dT/dt of every frame times the change of its energy with temperature (W),
+  /// of this rank's elements.
+  double compute_heat_power(const LoadState& loads,
+                            const fe::NodalVector& positions) const;
+
   /// Adds tangent, damping times `rate_factor` (1/s) and translational mass
   /// times `mass_factor` (1/s^2); mass damping joins with `rate_factor`.
   /// `predicted`: the resultants in the geometric part are those that the last

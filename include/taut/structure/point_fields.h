@@ -15,20 +15,27 @@ namespace taut::structure
 /// What may end the use of a film, for watches that look at every step.
 struct CriticalValues
 {
-  double smaller_stress; ///< smaller principal true stress (Pa)
-  double true_field;     ///< |V| J/H (V/m)
+  /// Smaller principal true stress (Pa) that the film would have without
+  /// wrinkles; they begin where it is zero.
+  double smaller_stress;
+  /// Larger principal true stress (Pa), with wrinkles if the film has them. A
+  /// film that is slack has none: then minus its modulus times the smaller
+  /// principal value of C^-1 E, so that this also falls through zero.
+  double larger_stress;
+  double true_field; ///< |V| J/H (V/m), J that of the wrinkled film
 };
 std::vector<CriticalValues> compute_critical_values(Structure& structure,
                                                     const LoadState& loads,
                                                     const double* u,
                                                     const double* internal);
 
-/// How the film carries at a point.
+/// How the film carries at a point. Without tension field it counts which
+/// principal stresses are not positive.
 enum class Tension : unsigned int
 {
   taut = 0,
-  wrinkled = 1, ///< the smaller principal stress is not positive
-  slack = 2     ///< neither is
+  wrinkled = 1, ///< across the tension, in one direction
+  slack = 2     ///< in both directions
 };
 
 /// A direction in the deformed film, a unit vector.
@@ -36,16 +43,23 @@ using Direction = std::array<double, 3>;
 
 struct PointFields
 {
-  /// Principal stretches, the larger first, and where they point in space.
+  /// Principal stretches, the larger first, and where they point in space; of
+  /// the surface without its wrinkles.
   std::array<double, 2> stretches;
   std::array<Direction, 2> stretch_directions;
-  /// Principal true stresses (Pa), likewise.
+  /// Principal true stresses (Pa), likewise; as everything that follows of the
+  /// wrinkled film.
   std::array<double, 2> stresses;
   std::array<Direction, 2> stress_directions;
   double true_field;       ///< |V| J/H (V/m)
   double breakdown_margin; ///< 1 - true field/strength
   double thickness;        ///< current, H/J (m)
   Tension tension;
+  /// By how much the film is wider than the place it has, relative to that,
+  /// where it is shortened most; 0 without tension field.
+  double wrinkle_strain;
+  /// Across the wrinkles; zero if there are none.
+  Direction wrinkle_direction;
   /// By network: principal internal stretches, the larger first, square roots
   /// of the eigenvalues of A^{-1}.
   std::vector<std::array<double, 2>> internal_stretches;

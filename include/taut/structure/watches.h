@@ -32,7 +32,8 @@ struct EventReport
 /// Film events look at a quantile by undeformed volume, not at the bare
 /// extreme, which fires at singular corners and is not smooth: tension is lost
 /// when the smaller principal stress is below the threshold in more than the
-/// share `quantile` of the film.
+/// share `quantile` of the film. Wrinkling is the same; the film is slack when
+/// the larger one is, which it has left after wrinkling.
 class Watches
 {
 public:

@@ -1,4 +1,4 @@
-#include "beam_quaternions.h"
+#include "beam_element_quaternions.h"
 
 #include <taut/base/rotation.h>
 

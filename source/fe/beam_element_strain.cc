@@ -1,4 +1,4 @@
-#include "beam_strain.h"
+#include "beam_element_strain.h"
 
 #include <taut/fe/vector3.h>
 
