@@ -44,7 +44,7 @@ void declare_rest_shape(Section section, RestShapeDescription& rest)
                    three_numbers(any(), "dimensionless"),
                    "to which side the frames bend, of any length");
   section.optional("Perturbation", rest.perturbation,
-                   number(between(0, 1), "dimensionless"),
+                   number(positive(), "dimensionless"),
                    "small load that decides the side and vanishes at the end, "
                    "over the load that bends the frames by their length");
   section.optional("First stiffness", rest.first_stiffness,
