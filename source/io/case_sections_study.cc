@@ -213,17 +213,6 @@ void declare_demes_frame(Section section, LumpedDemesDescription& demes)
                 number(within(1e-13, 1e-3), "dimensionless"),
                 "local error of a step");
 }
-
-void declare_lumped_demes(Declarations& all, LumpedDemesDescription& demes)
-{
-  all.allow_section({}, "Lumped DEMES", false);
-  Section section =
-      all.section({"Lumped DEMES"},
-                  "a film across a frame that bends into an arc, the case of "
-                  "Model = demes");
-  declare_demes_film(section, demes);
-  declare_demes_frame(section, demes);
-}
 } // namespace
 
 void declare_lumped_resonator(Declarations& all,
@@ -271,6 +260,16 @@ void declare_lumped_resonator(Declarations& all,
                 "voltage on the active strip");
 }
 
+void declare_lumped_demes(Declarations& all, LumpedDemesDescription& demes)
+{
+  all.allow_section({}, "Lumped DEMES", false);
+  Section section =
+      all.section({"Lumped DEMES"},
+                  "a film across a frame that bends into an arc, the case of "
+                  "Model = demes");
+  declare_demes_film(section, demes);
+  declare_demes_frame(section, demes);
+}
 void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
 {
   Case& content = draft.content;
