@@ -106,7 +106,7 @@ int check(const Arguments& arguments, const MPI_Comm communicator)
       io::read_case(arguments.case_file, arguments.overrides);
   std::string text = content.model == "film"
                          ? describe_model(content, communicator)
-                         : "lumped resonator, no mesh\n";
+                         : "lumped " + content.model + ", no mesh\n";
   if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     std::cout << text << arguments.case_file << " is in order\n";
   return done;

@@ -3,6 +3,7 @@
 #include <taut/io/folder_output.h>
 #include <taut/io/interrupt.h>
 #include <taut/io/versions.h>
+#include <taut/study/run_demes.h>
 #include <taut/study/run_resonator.h>
 
 #include <fmt/format.h>
@@ -82,7 +83,7 @@ public:
   int run()
   {
     read_folder();
-    return case_file_.content.model == "film" ? run_film() : run_resonator();
+    return case_file_.content.model == "film" ? run_film() : run_lumped();
   }
 
 private:
@@ -136,15 +137,17 @@ private:
                   });
   }
 
-  int run_resonator()
+  int run_lumped()
   {
     if (use_ == io::FolderUse::resume)
       throw BadInput("a lumped run takes no checkpoints: start it anew with "
                      "--overwrite",
                      case_file_.content.file, 0, "");
     io::FolderOutput output = open_output();
-    return finish(output, [&]
-                  { return study::run_resonator(case_file_.content, output); });
+    const study::Case& lumped_case = case_file_.content;
+    const auto run =
+        lumped_case.model == "demes" ? study::run_demes : study::run_resonator;
+    return finish(output, [&] { return run(lumped_case, output); });
   }
 
   study::Checkpoint restore(const structure::Structure& structure)

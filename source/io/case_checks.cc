@@ -258,7 +258,7 @@ void check_case(const CaseText& text, const CaseDraft& draft)
 {
   if (draft.content.model == "resonator")
     check_lumped_resonator(text, draft.content.lumped_resonator);
-  else
+  else if (draft.content.model == "film")
     check_device(text, draft);
   check_times(text, draft.content);
 }

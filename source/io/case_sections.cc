@@ -74,16 +74,16 @@ void declare_case(Declarations& all, const CaseText& text, CaseDraft& draft)
   all.section({}, "the case")
       .optional("Title", content.device.title, io::text("any text"),
                 "what is simulated, for reports")
-      .optional("Model", content.model, one_of({"film", "resonator"}),
+      .optional("Model", content.model, one_of({"film", "resonator", "demes"}),
                 "finite elements of a device, or the lumped model of a "
-                "resonator");
+                "resonator or of a DEMES");
   const Entry* model = text.find({}, "Model");
   if (model && model->value == "resonator")
   {
     all.allow_section({}, "Lumped resonator", false);
     declare_lumped_resonator(all, content.lumped_resonator);
   }
-  else
+  else if (!model || model->value != "demes")
   {
     declare_materials(all, text, draft.materials);
     declare_device(all, text, draft);
@@ -95,5 +95,6 @@ void declare_everything(Declarations& all, CaseDraft& draft)
 {
   declare_case(all, CaseText::parse(film_prototype, "prototype.prm"), draft);
   declare_lumped_resonator(all, draft.content.lumped_resonator);
+  declare_lumped_demes(all, draft.content.lumped_demes);
 }
 } // namespace taut::io

@@ -44,9 +44,9 @@ void declare_rest_shape(Section section, RestShapeDescription& rest)
                    three_numbers(any(), "dimensionless"),
                    "to which side the frames bend, of any length");
   section.optional("Perturbation", rest.perturbation,
-                   number(between(0, 1), "dimensionless"),
-                   "small load that decides the side and vanishes at the end, "
-                   "over the load that bends the frames by their length");
+                   number(positive(), "dimensionless"),
+                   "load along the frames that decides the side and is gone at "
+                   "the end, over 8 EI/L^3 with the extent L of the device");
   section.optional("First stiffness", rest.first_stiffness,
                    number(within(1, 1e6), "dimensionless"),
                    "how many times stiffer the frames are at first");
@@ -213,17 +213,6 @@ void declare_demes_frame(Section section, LumpedDemesDescription& demes)
                 number(within(1e-13, 1e-3), "dimensionless"),
                 "local error of a step");
 }
-
-void declare_lumped_demes(Declarations& all, LumpedDemesDescription& demes)
-{
-  all.allow_section({}, "Lumped DEMES", false);
-  Section section =
-      all.section({"Lumped DEMES"},
-                  "a film across a frame that bends into an arc, the case of "
-                  "Model = demes");
-  declare_demes_film(section, demes);
-  declare_demes_frame(section, demes);
-}
 } // namespace
 
 void declare_lumped_resonator(Declarations& all,
@@ -271,6 +260,16 @@ void declare_lumped_resonator(Declarations& all,
                 "voltage on the active strip");
 }
 
+void declare_lumped_demes(Declarations& all, LumpedDemesDescription& demes)
+{
+  all.allow_section({}, "Lumped DEMES", false);
+  Section section =
+      all.section({"Lumped DEMES"},
+                  "a film across a frame that bends into an arc, the case of "
+                  "Model = demes");
+  declare_demes_film(section, demes);
+  declare_demes_frame(section, demes);
+}
 void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
 {
   Case& content = draft.content;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "demes_formulas.h"
 
@@ -16,7 +17,8 @@ constexpr int n = RadauRule::n;
 const double pi = std::acos(-1.);
 /// Iterations after which a step is given up.
 constexpr int most_iterations = 20;
-/// What the iteration leaves, over the tolerance.
+/// Last change of the iteration over the tolerance; what it leaves is smaller
+/// still.
 constexpr double iteration_share = 2e-2;
 /// Of the step that the error estimate would allow; more would be rejected
 /// often.
@@ -91,8 +93,9 @@ void DemesStepper::advance()
     const double free = std::min(step_, options_.largest_step);
     const bool last = free >= (end_ - time_) * (1 - 1e-12);
     const double step = last ? end_ - time_ : free;
-    const bool solved = solve(step);
-    const double error = solved ? measure_error(step) : 0;
+    const double error = solve(step) ? measure_error(step)
+                                     : std::numeric_limits<double>::infinity();
+    const bool solved = std::isfinite(error);
     // The error estimate is of order n + 1.
     const double change =
         solved ? safety * std::pow(std::max(error, 1e-12), -1. / (n + 1)) : 0.4;
@@ -221,7 +224,7 @@ bool DemesStepper::relax_inner(const double step)
 /// At the points from `first` to `last`. Returns the largest change.
 double DemesStepper::update_accelerations(const int first, const int last)
 {
-  const Demes demes = demes_;
+  const Demes& demes = demes_;
   const Sampled before = acceleration_;
   for (int i = first; i <= last; ++i)
   {
@@ -232,7 +235,12 @@ double DemesStepper::update_accelerations(const int first, const int last)
   }
   double largest = 0;
   for (int i = first; i <= last; ++i)
-    largest = std::max(largest, std::abs(acceleration_[i] - before[i]));
+  {
+    const double difference = std::abs(acceleration_[i] - before[i]);
+    // Not std::max, which would lose a NaN.
+    if (!(difference <= largest))
+      largest = difference;
+  }
   return largest;
 }
 

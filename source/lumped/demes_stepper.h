@@ -43,11 +43,7 @@ public:
   /// One accepted step. Errors: SolverFailed if the step vanishes.
   void advance();
 
-  /// Ends of the last step.
-  double get_begin() const
-  {
-    return begin_;
-  }
+  /// The later end of the last step.
   double get_time() const
   {
     return time_;
@@ -103,10 +99,11 @@ private:
   DemesState state_;
   std::string reason_;
   /// At the beginning and the points of the step being tried.
-  Sampled angle_, velocity_, inner_power_, acceleration_, force_, drive_;
+  Sampled angle_{}, velocity_{}, inner_power_{}, acceleration_{}, force_{},
+      drive_{};
   /// lambda and d lambda / d theta.
-  Sampled stretch_, slope_;
+  Sampled stretch_{}, slope_{};
   /// Of the last accepted step.
-  Sampled last_acceleration_, dissipated_, source_work_;
+  Sampled last_acceleration_{}, dissipated_{}, source_work_{};
 };
 } // namespace taut::lumped

@@ -24,6 +24,8 @@ std::vector<fe::BatchLaw> Structure::make_laws(const LoadState& loads,
   for (unsigned int slot = 0; slot < laws.size(); ++slot)
   {
     fe::BatchLaw& law = laws[slot];
+    if (carries_compression_)
+      law.wrinkle_stiffness = 0;
     const unsigned int film = cells_->slots()[slot].film;
     const material::ThermalLaws& thermal = device_.films[film].thermal;
     law.field.temperature = loads.film_temperatures[film];

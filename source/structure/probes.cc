@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace taut::structure
 {
@@ -18,6 +17,26 @@ bool is_point(const Kind kind)
          kind == Kind::velocity;
 }
 
+bool is_rotation(const Kind kind)
+{
+  return kind == Kind::rotation || kind == Kind::half_angle;
+}
+
+bool has_points(const Kind kind)
+{
+  return is_point(kind) || is_rotation(kind) || kind == Kind::distance;
+}
+
+bool is_at_section(const Kind kind)
+{
+  return kind == Kind::frame_force || kind == Kind::frame_moment;
+}
+
+bool needs_frame_fields(const Kind kind)
+{
+  return is_at_section(kind) || kind == Kind::frame_strain;
+}
+
 bool is_bar(const Kind kind)
 {
   return kind == Kind::bar_displacement || kind == Kind::bar_velocity ||
@@ -29,29 +48,25 @@ bool needs_velocity(const Kind kind)
   return kind == Kind::velocity || kind == Kind::bar_velocity;
 }
 
+bool needs_film_cells(const Kind kind)
+{
+  return kind == Kind::mean_stretch || kind == Kind::mean_stress ||
+         kind == Kind::min_principal_stress || kind == Kind::max_true_field;
+}
+
 bool needs_forces(const Kind kind)
 {
   return kind == Kind::charge || kind == Kind::capacitance ||
          kind == Kind::reaction;
 }
 
-[[noreturn]] void refuse(const Probe& probe, const std::string& message)
-{
-  throw BadInput(message, "", probe.source_line, "Probe " + probe.name);
-}
-
 template <typename Entry>
-std::size_t find_entry(const std::vector<Entry>& entries, const Probe& probe,
-                       const std::string& what)
+std::vector<std::string> get_names(const std::vector<Entry>& entries)
 {
   std::vector<std::string> names;
   for (const auto& entry : entries)
     names.push_back(entry.name);
-  const auto found = std::find(names.begin(), names.end(), probe.of);
-  if (found == names.end())
-    refuse(probe, "there is no " + what + " '" + probe.of + "'; " +
-                      suggest(probe.of, names));
-  return found - names.begin();
+  return names;
 }
 
 /// "a, b" to {"a", "b"}.
@@ -66,6 +81,11 @@ std::vector<std::string> split(const std::string& list)
   return parts;
 }
 } // namespace
+
+void Probes::refuse(const Probe& probe, const std::string& message)
+{
+  throw BadInput(message, "", probe.source_line, "Probe " + probe.name);
+}
 
 std::string Probes::get_unit(const Kind kind)
 {
@@ -117,8 +137,11 @@ Probes::Probes(StructureSystem& system)
   {
     if (needs_velocity(probe.kind) && !system_.has_inertia())
       refuse(probe, "a run without inertia has no velocities");
-    points_.push_back(is_point(probe.kind) ? find_point(probe) : Point());
+    points_.push_back(find_points(probe));
     targets_.push_back(find_target(probe));
+    sections_.push_back(is_at_section(probe.kind)
+                            ? find_sections(probe, targets_.back())
+                            : std::vector<Section>());
     groups_.emplace_back();
     if (probe.kind == Kind::volume)
       for (const auto& group : split(probe.of))
@@ -132,61 +155,51 @@ Probes::Probes(StructureSystem& system)
 std::size_t Probes::find_target(const Probe& probe) const
 {
   const Device& device = system_.structure().device();
-  if (is_point(probe.kind) || probe.kind == Kind::volume)
+  const auto find = [&](const std::vector<std::string>& names,
+                        const std::string& what) -> std::size_t
+  {
+    const auto found = std::find(names.begin(), names.end(), probe.of);
+    if (found == names.end())
+      refuse(probe, "there is no " + what + " '" + probe.of + "'; " +
+                        suggest(probe.of, names));
+    return found - names.begin();
+  };
+  if (has_points(probe.kind) || probe.kind == Kind::volume)
     return 0;
   if (is_bar(probe.kind))
-    return find_entry(device.bars, probe, "bar");
+    return find(get_names(device.bars), "bar");
   if (probe.kind == Kind::reaction)
-    return find_entry(device.supports, probe, "support");
+    return find(get_names(device.supports), "support");
   if (probe.kind == Kind::voltage || needs_forces(probe.kind))
-    return find_entry(device.electrodes, probe, "electrode");
-  return find_entry(device.films, probe, "film");
+    return find(get_names(device.electrodes), "electrode");
+  if (needs_frame_fields(probe.kind))
+    return find(get_names(device.frames), "frame");
+  auto films = get_names(device.films);
+  if (probe.kind != Kind::temperature)
+    return find(films, "film");
+  const auto frames = get_names(device.frames);
+  films.insert(films.end(), frames.begin(), frames.end());
+  return find(films, "film or frame");
 }
 
-Probes::Point Probes::find_point(const Probe& probe) const
+std::vector<Probes::Point> Probes::find_points(const Probe& probe) const
 {
-  const Structure& structure = system_.structure();
-  const fe::Nodes& nodes = structure.nodes();
-  std::array<double, 3> target = probe.point;
-  if (!probe.of.empty())
-  {
-    const auto points = fe::get_group_points(structure.mesh(), probe.of);
-    if (points.size() != 1)
-      refuse(probe, "the group '" + probe.of + "' has " +
-                        std::to_string(points.size()) +
-                        " points; a probe needs one");
-    target = points.front();
-  }
-  // The nearest node of the film, and whether it is near enough.
-  double nearest = std::numeric_limits<double>::infinity();
-  fe::LocalNode node = 0;
-  for (fe::LocalNode i = 0; i < nodes.n_owned; ++i)
-  {
-    const bool of_bar =
-        std::any_of(nodes.bars.begin(), nodes.bars.end(),
-                    [&](const fe::Bar& bar)
-                    { return i == bar.centre || i == bar.director; });
-    const auto& x = nodes.mesh_position[i];
-    const double distance =
-        std::hypot(x[0] - target[0], x[1] - target[1], x[2] - target[2]);
-    if (!of_bar && distance < nearest)
-    {
-      nearest = distance;
-      node = i;
-    }
-  }
-  const auto all =
-      dealii::Utilities::MPI::all_gather(structure.communicator(), nearest);
-  const auto owner = std::min_element(all.begin(), all.end());
-  if (*owner > 1e-6 * compute_extent(structure.mesh()))
-    refuse(probe, "no node of the mesh lies at its point; the nearest is " +
-                      std::to_string(*owner) +
-                      " m away: put a point of the "
-                      "geometry there");
-  const bool mine =
-      owner - all.begin() ==
-      dealii::Utilities::MPI::this_mpi_process(structure.communicator());
-  return mine ? Point{{node, 1.}} : Point();
+  std::vector<Point> points;
+  if (!has_points(probe.kind))
+    return points;
+  const bool is_between =
+      probe.kind == Kind::half_angle || probe.kind == Kind::distance;
+  for (const auto& group :
+       is_between ? split(probe.of) : std::vector<std::string>{probe.of})
+    points.push_back(find_point(probe, group));
+  if (is_between && points.size() != 2)
+    refuse(probe, "it needs two physical points, not " +
+                      std::to_string(points.size()));
+  for (const auto& point : points)
+    if (is_rotation(probe.kind) && !point.rotation)
+      refuse(probe, "no node of a frame lies at its point: films have no "
+                    "rotations");
+  return points;
 }
 
 std::vector<double> Probes::evaluate(const double time, const double* state)
@@ -202,47 +215,35 @@ std::vector<double> Probes::evaluate(const double time, const double* state)
     structure.compute_forces(loads, state, system_.internal(state),
                              Networks::as_given, unused.data(), nullptr);
   }
-  const fe::NodalVector positions = structure.compute_positions(loads, state);
+  // Not a copy, which would lose the values at ghosts.
+  const fe::NodalVector& positions = structure.compute_positions(loads, state);
   fe::NodalVector velocities;
   const double* v = system_.velocities(state);
   if (v)
     velocities = structure.compute_velocities(loads, v);
+  std::vector<FrameElementFields> fields;
+  if (std::any_of(descriptions_.begin(), descriptions_.end(),
+                  [](const Probe& probe)
+                  { return needs_frame_fields(probe.kind); }))
+    fields = compute_frame_fields(structure, loads, state);
   std::vector<double> values;
   for (std::size_t i = 0; i < descriptions_.size(); ++i)
   {
     const Kind kind = descriptions_[i].kind;
-    if (is_point(kind))
+    if (is_point(kind) || kind == Kind::distance)
       values.push_back(evaluate_point(i, positions, v ? &velocities : nullptr));
     else if (is_bar(kind))
       values.push_back(evaluate_bar(i, positions, v ? &velocities : nullptr));
-    else if (kind == Kind::mean_stretch || kind == Kind::mean_stress ||
-             kind == Kind::min_principal_stress || kind == Kind::max_true_field)
+    else if (is_rotation(kind))
+      values.push_back(evaluate_rotation(i, positions));
+    else if (needs_frame_fields(kind))
+      values.push_back(evaluate_frame(i, fields));
+    else if (needs_film_cells(kind))
       values.push_back(evaluate_film(i, loads, state, system_.internal(state)));
     else
       values.push_back(evaluate_device(i, loads));
   }
   return values;
-}
-
-double Probes::evaluate_point(const std::size_t probe,
-                              const fe::NodalVector& positions,
-                              const fe::NodalVector* velocities) const
-{
-  const Structure& structure = system_.structure();
-  const Probe& description = descriptions_[probe];
-  double value = 0;
-  for (const auto& [node, weight] : points_[probe])
-  {
-    const unsigned int entry = 3 * node + description.component;
-    const double x = fe::entry(positions, entry);
-    const double x_0 =
-        structure.nodes().mesh_position[node][description.component];
-    value += weight * (description.kind == Kind::velocity
-                           ? fe::entry(*velocities, entry)
-                       : description.kind == Kind::position ? x
-                                                            : x - x_0);
-  }
-  return dealii::Utilities::MPI::sum(value, structure.communicator());
 }
 
 double Probes::evaluate_bar(const std::size_t probe,
@@ -274,6 +275,15 @@ double Probes::evaluate_bar(const std::size_t probe,
   return dealii::Utilities::MPI::sum(value, structure.communicator());
 }
 
+double Probes::evaluate_temperature(const std::size_t probe,
+                                    const LoadState& loads) const
+{
+  const std::size_t target = targets_[probe];
+  const std::size_t n_films = loads.film_temperatures.size();
+  return target < n_films ? loads.film_temperatures[target]
+                          : loads.frame_temperatures[target - n_films];
+}
+
 double Probes::evaluate_device(const std::size_t probe,
                                const LoadState& loads) const
 {
@@ -288,6 +298,8 @@ double Probes::evaluate_device(const std::size_t probe,
     return structure.compute_charges(loads)[target];
   case Kind::capacitance:
     return structure.compute_capacitances()[target];
+  case Kind::temperature:
+    return evaluate_temperature(probe, loads);
   case Kind::reaction:
     return structure.compute_reaction(target)[description.component];
   default:

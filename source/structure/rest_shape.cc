@@ -9,7 +9,12 @@ namespace taut::structure
 {
 namespace
 {
-/// Equilibria along the way, from 0 to 1.
+/// The way, from 0 to 1: until `loaded` the load comes, until `soft` the frames
+/// soften, then the load goes.
+constexpr double loaded = 1. / 6;
+constexpr double soft = 2. / 3;
+
+/// Equilibria along the way.
 class RestPath : public time::EquilibriumProblem
 {
 public:
@@ -66,10 +71,14 @@ public:
   {
     return equilibrium_.round_off_force();
   }
-  void check_equilibrium(double /*way*/, const double* /*u*/) override
+  void check_equilibrium(const double way, const double* u) override
   {
-    // The last tangent was taken one iteration before the equilibrium. A long
-    // step lands on the branch that stays flat, beyond the threshold.
+    // A long step may land on the branch that stays flat, beyond the threshold.
+    // The last tangent was taken one iteration before the equilibrium; only if
+    // it raises a doubt another one is worth its price.
+    if (structure_.count_negative_eigenvalues() == 0)
+      return;
+    prepare(way, u);
     if (structure_.count_negative_eigenvalues() > 0)
       throw StepRejected("the shape is unstable");
   }
@@ -81,12 +90,13 @@ public:
 private:
   void enter(const double way)
   {
-    // The load comes, the frames soften, the load goes.
     const double stiffening =
-        std::pow(first_stiffness_, std::max(0., 1 - 2 * way));
+        std::pow(first_stiffness_,
+                 std::clamp(1 - (way - loaded) / (soft - loaded), 0., 1.));
+    const double share = std::min(way / loaded, (1 - way) / (1 - soft));
     auto load = load_;
     for (double& component : load)
-      component *= stiffening * std::min({6 * way, 1., 2 * (1 - way)});
+      component *= stiffening * std::clamp(share, 0., 1.);
     structure_.set_rest_path(stiffening, load);
   }
 
@@ -109,6 +119,31 @@ private:
 };
 } // namespace
 
+/// Where the film would wrinkle, Newton's method goes round in circles from
+/// afar. In the flat state its compression is small, so that the film that
+/// carries it is a good start.
+time::EquilibriumStatistics
+find_flat(Structure& structure, Equilibrium& equilibrium, const double time,
+          const time::EquilibriumOptions& options, double* u)
+{
+  structure.set_compression(true);
+  time::EquilibriumStatistics first;
+  try
+  {
+    first = time::find_equilibrium(equilibrium, time, u, options);
+  }
+  catch (...)
+  {
+    structure.set_compression(false);
+    throw;
+  }
+  structure.set_compression(false);
+  const auto second = time::find_equilibrium(equilibrium, time, u, options);
+  return {first.iterations + second.iterations,
+          first.residuals + second.residuals,
+          first.factorisations + second.factorisations, second.final_residual};
+}
+
 RestShape find_rest_shape(Structure& structure, LoadHistory& history,
                           const Networks networks, const double* internal,
                           const double time, const RestPathOptions& options,
@@ -124,12 +159,9 @@ RestShape find_rest_shape(Structure& structure, LoadHistory& history,
     ++shape.statistics.factorisations;
     return structure.count_negative_eigenvalues();
   };
-  std::vector<double> bent(u, u + equilibrium.n_unknowns());
-  const auto flat =
-      time::find_equilibrium(equilibrium, time, u, options.newton);
+  const auto flat = find_flat(structure, equilibrium, time, options.newton, u);
   shape.flat_negative_eigenvalues = count_negative();
   shape.statistics.factorisations += flat.factorisations;
-  std::copy(bent.begin(), bent.end(), u);
   {
     RestPath path(structure, equilibrium, time, options);
     time::PathOptions steps;
@@ -138,11 +170,20 @@ RestShape find_rest_shape(Structure& structure, LoadHistory& history,
     steps.newton.max_iterations = 12;
     steps.newton.max_step = 0.4 * compute_extent(structure.mesh());
     steps.first_step = 1. / options.steps;
-    steps.largest_step = 2. / options.steps;
+    steps.largest_step = 1. / options.steps;
     steps.smallest_step = 1e-4;
     const auto first = time::find_equilibrium(path, 0, u, steps.newton);
-    const auto rest =
-        time::follow_path(path, 0, 1, u, steps, [](double, const double*) {});
+    time::EquilibriumStatistics rest;
+    double begin = 0;
+    for (const double end : {loaded, soft, 1.})
+    {
+      const auto part = time::follow_path(path, begin, end, u, steps,
+                                          [](double, const double*) {});
+      rest.iterations += part.iterations;
+      rest.residuals += part.residuals;
+      rest.final_residual = part.final_residual;
+      begin = end;
+    }
     shape.statistics.iterations =
         flat.iterations + first.iterations + rest.iterations;
     shape.statistics.residuals =

@@ -59,10 +59,29 @@ public:
   {
     return reference_force_;
   }
+  /// Forgets the course of the last iteration; `stops_circles`: the next ends
+  /// when it goes round.
+  void begin(const bool stops_circles)
+  {
+    norms_.clear();
+    stops_circles_ = stops_circles;
+    circles_ = false;
+  }
+  /// True if the last iteration ended because it went round.
+  bool circles() const
+  {
+    return circles_;
+  }
+  /// The state with the smallest residual so far.
+  const std::vector<double>& best() const
+  {
+    return best_;
+  }
   EquilibriumStatistics statistics;
 
 private:
   void limit_step(double* x) const;
+  bool goes_round() const;
 
   EquilibriumProblem& problem_;
   double load_;
@@ -72,6 +91,12 @@ private:
   std::size_t size_;
   double residual_norm_ = 0;
   double reference_force_ = 0;
+  double best_norm_ = std::numeric_limits<double>::infinity();
+  std::vector<double> best_;
+  /// Of all residuals since the last iterate().
+  std::vector<double> norms_;
+  bool stops_circles_ = false;
+  bool circles_ = false;
 };
 
 double compute_norm(const double* values, const std::size_t size,
@@ -106,6 +131,18 @@ int GuardedProblem::compute_residual(const double* u, double* residual)
     return code;
   residual_norm_ = compute_norm(residual, size_, communicator_);
   reference_force_ = problem_.reference_force();
+  if (residual_norm_ < best_norm_)
+  {
+    best_norm_ = residual_norm_;
+    best_.assign(u, u + size_);
+  }
+  norms_.push_back(residual_norm_);
+  // KINSOL stops for an error that it cannot mend only.
+  if (stops_circles_ && goes_round())
+  {
+    circles_ = true;
+    return -1;
+  }
   return 0;
 }
 
@@ -114,6 +151,19 @@ bool GuardedProblem::is_converged() const
   return residual_norm_ <=
          std::max(std::max(options_.tolerance, round_off) * reference_force_,
                   problem_.round_off_force());
+}
+
+bool GuardedProblem::goes_round() const
+{
+  // Three residuals in a row that are nearly those of two iterations before.
+  constexpr std::size_t length = 3;
+  constexpr double nearly = 0.1;
+  if (norms_.size() < length + 2)
+    return false;
+  for (std::size_t i = norms_.size() - length; i < norms_.size(); ++i)
+    if (std::abs(norms_[i] - norms_[i - 2]) > nearly * norms_[i - 2])
+      return false;
+  return true;
 }
 
 int GuardedProblem::prepare(const double* u)
@@ -249,6 +299,21 @@ bool is_retryable(const int flag)
          (flag <= KIN_LSETUP_FAIL && flag >= KIN_REPTD_SYSFUNC_ERR);
 }
 
+/// KINSOL from `u`; returns its flag. Errors: SolverFailed.
+int iterate(GuardedProblem& problem, const EquilibriumOptions& options,
+            const bool full_steps, std::vector<double>& u)
+{
+  problem.begin(full_steps);
+  Kinsol kinsol(problem, u, options);
+  const int flag = kinsol.solve(full_steps);
+  problem.guard().rethrow();
+  if (!is_retryable(flag) && !problem.circles())
+    throw SolverFailed(take_name(KINGetReturnFlagName(flag)) + ": " +
+                       kinsol.message());
+  problem.statistics.iterations += kinsol.get_iterations();
+  return flag;
+}
+
 /// Why there is no equilibrium, for the next smaller step.
 [[noreturn]] void reject(const GuardedProblem& problem, const int flag)
 {
@@ -270,17 +335,25 @@ EquilibriumStatistics find_equilibrium(EquilibriumProblem& problem,
 {
   GuardedProblem guarded(problem, load, options);
   std::vector<double> trial(u, u + guarded.size());
-  Kinsol kinsol(guarded, trial, options);
-  const int flag = kinsol.solve(problem.takes_full_steps());
-  guarded.guard().rethrow();
-  if (!is_retryable(flag))
-    throw SolverFailed(take_name(KINGetReturnFlagName(flag)) + ": " +
-                       kinsol.message());
-  guarded.statistics.iterations = kinsol.get_iterations();
+  int flag = KIN_SUCCESS;
+  if (problem.takes_full_steps())
+  {
+    flag = iterate(guarded, options, true, trial);
+    // Full steps may go round in circles, between a taut and a wrinkled film
+    // for instance. By then the beams have usually found their place.
+    if (!guarded.is_converged())
+    {
+      trial = guarded.best();
+      flag = iterate(guarded, options, false, trial);
+    }
+  }
+  else
+    flag = iterate(guarded, options, false, trial);
 
   // Only the residual decides: a full stop at round-off is a success, whatever
   // KINSOL calls it.
   std::vector<double> residual(trial.size());
+  guarded.begin(false);
   const int code = guarded.compute_residual(trial.data(), residual.data());
   guarded.guard().rethrow();
   if (code != 0 || !guarded.is_converged())

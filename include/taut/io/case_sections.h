@@ -72,4 +72,6 @@ void declare_observation(Declarations& all, const CaseText& text,
 void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft);
 void declare_lumped_resonator(Declarations& all,
                               study::LumpedResonatorDescription& resonator);
+void declare_lumped_demes(Declarations& all,
+                          study::LumpedDemesDescription& demes);
 } // namespace taut::io

@@ -20,8 +20,8 @@ struct RestPathOptions
   /// Load at most: 8 EI/L^3 times this, with the stiffened EI and the extent L
   /// of the device. By beam theory a load of 1 bends a cantilever of length L
   /// by L, one of half the length by L/16.
-  double perturbation = 10;
-  double first_stiffness = 20;
+  double perturbation = 2;
+  double first_stiffness = 10;
   /// Steps of the path, at least.
   unsigned int steps = 6;
   time::EquilibriumOptions newton;

@@ -172,6 +172,11 @@ public:
                         bool inertia, bool symmetric, const double* x,
                         double* result);
 
+  /// Films carry compression while `carries`, whatever the description says.
+  void set_compression(const bool carries)
+  {
+    carries_compression_ = carries;
+  }
   /// Sets a point on the way to a rest shape: all stiffnesses of frames times
   /// `stiffening`, and a dead load (N/m) along all frames. 1 and 0 at first.
   void set_rest_path(double stiffening, const std::array<double, 3>& load);
@@ -290,6 +295,7 @@ private:
   /// Stiffness (N/m) that fixes the length of a quaternion in statics.
   std::vector<double> gauge_;
   std::array<double, 3> rest_load_{}; ///< (N/m)
+  bool carries_compression_ = false;
   std::vector<fe::PressureLoad> pressures_;
   fe::NodalVector weight_;             ///< (N)
   std::vector<fe::NodalVector> edges_; ///< per N/m of each edge load (m)

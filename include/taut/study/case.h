@@ -48,9 +48,9 @@ struct RestShapeDescription
   /// To which side (dimensionless, any length).
   std::array<double, 3> direction{{0, 0, 1}};
   /// Of the small load, relative to what bends the frames by their length.
-  double perturbation = 10;
+  double perturbation = 2;
   /// The frames start so many times stiffer.
-  double first_stiffness = 20;
+  double first_stiffness = 10;
   /// Steps of the path, at least.
   unsigned int steps = 6;
   /// Also finds the shape on the other side and reports it.
