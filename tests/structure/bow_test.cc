@@ -225,7 +225,7 @@ TEST(Bow, FortyElementsAreExactToAMillionth)
     DrivenBow driven(bow);
     // Low stand-offs leave a sharp bend in the path near the threshold.
     if (row.height > 0)
-      driven.let_go(64);
+      driven.let_go(40);
     else
       driven.find_rest_shape();
     EXPECT_TRUE(driven.is_stable());
