@@ -14,7 +14,6 @@ struct Demes
   double width = 0.04;       ///< W_0 (m)
   double thickness = 5e-4;   ///< of the film and of the legs (m)
   double modulus = 52246.6;  ///< mu (Pa)
-  double leg_width = 5.015e-3;
   /// Of the film above the legs (m).
   double offset = 0;
   unsigned int n_cells = 6; ///< along and across the film, even
@@ -22,6 +21,11 @@ struct Demes
   double length() const
   {
     return pre_stretch * film_length;
+  }
+  /// For K_bb = 1 at every pre-stretch (m).
+  double leg_width() const
+  {
+    return 0.12538 * length();
   }
 };
 
@@ -38,7 +42,7 @@ inline structure::Device make_demes_device(const Demes& demes)
   device.films = {film};
   device.electrodes = {make_electrode("film", Signal::constant(0))};
   structure::RectangularSection section;
-  section.width = demes.leg_width;
+  section.width = demes.leg_width();
   section.thickness = demes.thickness;
   section.young_modulus = 2e9;
   section.poisson_ratio = 0.35;
@@ -69,7 +73,7 @@ inline fe::MeshData make_demes_mesh(const Demes& demes)
   for (const double side : {-1., 1.})
   {
     const double y =
-        demes.width / 2 + side * (demes.width + demes.leg_width) / 2;
+        demes.width / 2 + side * (demes.width + demes.leg_width()) / 2;
     const auto left =
         add_line(mesh, "legs", n, make_straight({0, y, z}, {middle, y, z}));
     const auto right = add_line(
