@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Plots what `taut compare` wrote: both histories of every quantity and their
-difference.
+"""Plots what `taut compare` wrote: the histories of every quantity in all models
+and, of a resonator, their difference.
 
 Usage: plot_compare.py FOLDER
 Reads FOLDER/compare.csv and compare.json, writes compare.png and compare.svg.
@@ -109,6 +109,53 @@ def make_figure(columns, comparison):
     return figure
 
 
+# Of a DEMES, in the order of drawing, with the style of their lines.
+DEMES_MODELS = {"arc": (plots.COLOURS[1], "--"),
+                "elastica": (plots.COLOURS[2], "-."),
+                "finite elements": (plots.COLOURS[0], "-")}
+
+
+def get_demes_histories(columns, name):
+    """Unit and {model: values} of a quantity."""
+    models = {column[0].removeprefix(name + " "): column for column in columns
+              if column[0].startswith(name + " ")}
+    unit = next(iter(models.values()))[1]
+    return unit, {model: column[2] for model, column in models.items()}
+
+
+def plot_demes_quantity(axes, times, columns, name, title):
+    unit, histories = get_demes_histories(columns, name)
+    # An angle in rad is short as it is.
+    factor, label = (1.0, unit) if unit == "rad" else plots.choose_prefix(
+        unit, sum(histories.values(), []))
+    for model, (colour, style) in DEMES_MODELS.items():
+        axes.plot(times, [factor * value for value in histories[model]], style,
+                  color=colour)
+    axes.set_title(title, loc="left")
+    axes.set_ylabel(label or "dimensionless")
+
+
+def make_demes_figure(columns):
+    """Voltage, angle, chord and stretch above one another."""
+    times, voltage = columns[0][2], columns[1]
+    figure, rows = plt.subplots(
+        4, 1, figsize=(7.2, 7.0), sharex=True, layout="constrained",
+        height_ratios=(0.6, 1.2, 1, 1))
+    plot_voltage(rows[0], times, voltage[2], voltage[1])
+    for axes, name, title in ((rows[1], "angle", "Half angle"),
+                              (rows[2], "chord", "Chord"),
+                              (rows[3], "stretch", "Stretch of the film")):
+        plot_demes_quantity(axes, times, columns, name, title)
+    rows[-1].set_xlabel("Time (s)")
+    rows[0].set_xlim(times[0], times[-1])
+    figure.align_ylabels(rows)
+    lines = [plt.Line2D([], [], color=colour, linestyle=style, label=model)
+             for model, (colour, style) in reversed(DEMES_MODELS.items())]
+    figure.legend(handles=lines, loc="lower center", ncol=len(lines),
+                  frameon=False, bbox_to_anchor=(0.5, 1.0))
+    return figure
+
+
 def main():
     if len(sys.argv) != 2:
         raise SystemExit(__doc__)
@@ -117,7 +164,9 @@ def main():
     comparison = json.loads(
         (folder / "compare.json").read_text(encoding="utf-8"))
     plots.set_style()
-    plots.save(make_figure(columns, comparison), folder / "compare")
+    figure = (make_demes_figure(columns) if "models" in comparison
+              else make_figure(columns, comparison))
+    plots.save(figure, folder / "compare")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
 #include <taut/base/exceptions.h>
+#include <taut/io/comparison_demes_writer.h>
 #include <taut/io/comparison_writer.h>
 #include <taut/io/files.h>
 #include <taut/io/film_model.h>
@@ -33,8 +34,10 @@ io::OutputFolder get_folder(const Arguments& arguments)
   return {"results/compare_" + fs::path(arguments.case_file).stem().string()};
 }
 
-void write_files(const io::OutputFolder& folder,
-                 const study::Comparison& comparison, io::FolderOutput& output)
+/// Of either kind of comparison.
+template <class Comparison>
+void write_files(const io::OutputFolder& folder, const Comparison& comparison,
+                 io::FolderOutput& output)
 {
   io::replace_file(folder.get("compare.json"),
                    io::make_comparison_json(comparison));
@@ -59,16 +62,58 @@ int get_exit_code(const study::Status status)
   }
 }
 
-int compare(const Arguments& arguments, const MPI_Comm communicator)
+/// A case by finite elements beside the resonator it stands for.
+struct ResonatorModels
 {
-  const auto case_file =
-      io::read_case_file(arguments.case_file, arguments.overrides);
+  study::ResonatorEquivalent equivalent;
+
+  ResonatorModels(const study::Case& film_case, const fe::MeshData& mesh)
+      : equivalent(study::make_resonator_equivalent(film_case, mesh))
+  {
+  }
+  study::Case make_observed(const study::Case& film_case) const
+  {
+    return study::make_observed_case(film_case, equivalent);
+  }
+  study::Comparison run(const study::Case& film_case,
+                        structure::Structure& structure,
+                        study::RunOutput& output) const
+  {
+    return study::compare_models(film_case, equivalent, structure, output);
+  }
+};
+
+/// A case by finite elements beside the DEMES of one angle.
+struct DemesModels
+{
+  study::DemesEquivalent equivalent;
+
+  DemesModels(const study::Case& film_case, const fe::MeshData& mesh)
+      : equivalent(study::make_demes_equivalent(film_case, mesh))
+  {
+  }
+  study::Case make_observed(const study::Case& film_case) const
+  {
+    return study::make_observed_demes_case(film_case);
+  }
+  study::DemesComparison run(const study::Case& film_case,
+                             structure::Structure& structure,
+                             study::RunOutput& output) const
+  {
+    return study::compare_demes_models(film_case, equivalent, structure,
+                                       output);
+  }
+};
+
+template <class Models>
+int compare(const Arguments& arguments, const io::CaseFile& case_file,
+            const MPI_Comm communicator)
+{
   const study::Case& film_case = case_file.content;
-  study::check_comparable(film_case);
-  const auto equivalent = study::make_resonator_equivalent(
+  const Models models(
       film_case, io::read_shared_mesh(film_case.device.mesh, communicator));
   io::CaseFile observed = case_file;
-  observed.content = study::make_observed_case(film_case, equivalent);
+  observed.content = models.make_observed(film_case);
   io::FilmModel model(observed.content, communicator);
   const io::OutputFolder folder = get_folder(arguments);
   io::on_first_rank(communicator,
@@ -84,23 +129,32 @@ int compare(const Arguments& arguments, const MPI_Comm communicator)
   model.adapt(observed.content);
   const auto comparison = io::name_case_in_errors(
       film_case,
-      [&]
-      {
-        return study::compare_models(film_case, equivalent, model.structure(),
-                                     output);
-      });
+      [&] { return models.run(film_case, model.structure(), output); });
   output.finish(comparison.film_summary);
   output.say(io::describe_comparison(comparison));
   if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     write_files(folder, comparison, output);
   return get_exit_code(comparison.film_summary.status);
 }
+
+int compare(const Arguments& arguments, const MPI_Comm communicator)
+{
+  const auto case_file =
+      io::read_case_file(arguments.case_file, arguments.overrides);
+  if (case_file.content.demes_comparison)
+  {
+    study::check_comparable_demes(case_file.content);
+    return compare<DemesModels>(arguments, case_file, communicator);
+  }
+  study::check_comparable(case_file.content);
+  return compare<ResonatorModels>(arguments, case_file, communicator);
+}
 } // namespace
 
 void add_compare(CLI::App& program, Action& chosen)
 {
   auto* command = program.add_subcommand(
-      "compare", "Run a film case by finite elements and as a lumped resonator "
+      "compare", "Run a film case by finite elements and as a lumped model, "
                  "and show the differences");
   const auto arguments = std::make_shared<Arguments>();
   command

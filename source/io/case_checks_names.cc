@@ -239,11 +239,27 @@ void check_event(const CaseText& text, const EventDescription& event,
     check_name(text, section, "Of", event.of, "film", names_in(device.films));
 }
 
-void resolve_comparison(const CaseText& text, CaseDraft& draft)
+/// Keys of the other lumped model.
+void check_unused(const CaseText& text, const CaseDraft& draft,
+                  const std::vector<std::string>& keys)
+{
+  for (const std::string& key : keys)
+  {
+    // An effective case holds all keys.
+    const Entry* entry = text.find({"Comparison"}, key);
+    if (entry && !entry->value.empty() && entry->value != "none")
+      text.refuse({"Comparison"}, key,
+                  "the key has no meaning for Model = " +
+                      draft.comparison_model);
+  }
+}
+
+void resolve_comparison_resonator(const CaseText& text, CaseDraft& draft)
 {
   const SectionPath section = {"Comparison"};
-  if (!text.find(section))
-    return;
+  check_unused(text, draft,
+               {"Film", "Legs", "Left body", "Right body", "Angle probe",
+                "Chord probe", "Stretch probe"});
   const structure::Device& device = draft.content.device;
   const study::ComparisonDescription& parts = draft.comparison;
   const std::vector<std::string> films = names_in(device.films);
@@ -256,6 +272,50 @@ void resolve_comparison(const CaseText& text, CaseDraft& draft)
              names_in(device.electrodes));
   check_name(text, section, "Bar", parts.bar, "bar", names_in(device.bars));
   draft.content.comparison = parts;
+}
+
+void check_demes_probes(const CaseText& text, const structure::Device& device,
+                        const study::DemesComparisonDescription& parts)
+{
+  const std::vector<std::string> probes = names_in(device.probes);
+  for (const auto& [key, name] : {std::pair{"Angle probe", parts.angle_probe},
+                                  {"Chord probe", parts.chord_probe},
+                                  {"Stretch probe", parts.stretch_probe}})
+    check_name(text, {"Comparison"}, key, name, "probe", probes);
+}
+
+void resolve_comparison_demes(const CaseText& text, CaseDraft& draft)
+{
+  const SectionPath section = {"Comparison"};
+  check_unused(text, draft, {"Active film", "Passive film", "Bar"});
+  const structure::Device& device = draft.content.device;
+  study::DemesComparisonDescription& parts = draft.demes_comparison;
+  parts.electrode = draft.comparison.electrode;
+  check_name(text, section, "Film", parts.film, "film", names_in(device.films));
+  check_name(text, section, "Electrode", parts.electrode, "electrode",
+             names_in(device.electrodes));
+  if (parts.legs.empty())
+    parts.legs.emplace_back();
+  for (const std::string& leg : parts.legs)
+    check_name(text, section, "Legs", leg, "frame", names_in(device.frames));
+  const std::vector<std::string> bodies = names_in(device.bodies);
+  check_name(text, section, "Left body", parts.left_body, "rigid body", bodies);
+  check_name(text, section, "Right body", parts.right_body, "rigid body",
+             bodies);
+  if (parts.left_body == parts.right_body)
+    text.refuse(section, "Right body", "both ends must be two bodies");
+  check_demes_probes(text, device, parts);
+  draft.content.demes_comparison = parts;
+}
+
+void resolve_comparison(const CaseText& text, CaseDraft& draft)
+{
+  if (!text.find({"Comparison"}))
+    return;
+  if (draft.comparison_model == "demes")
+    resolve_comparison_demes(text, draft);
+  else
+    resolve_comparison_resonator(text, draft);
 }
 } // namespace
 

@@ -9,18 +9,6 @@ using namespace structure;
 const char* const points = "names of physical points of the mesh";
 
 /// Names, or the word `none` for an empty list.
-Format<std::vector<std::string>> names_or_none(const std::string& what)
-{
-  const auto plain = optionally(names(what), "none");
-  Format<std::vector<std::string>> format;
-  format.read = [plain](const std::string& text)
-  { return plain.read(text).value_or(std::vector<std::string>()); };
-  format.write = [plain](const std::vector<std::string>& values)
-  { return values.empty() ? "none" : plain.write(values); };
-  format.allowed = plain.allowed;
-  return format;
-}
-
 void declare_rectangle(Section& section, RectangularSection& rectangle)
 {
   const Format<double> length = number(positive(), "m");

@@ -131,18 +131,39 @@ void declare_checkpoint(Section section, CheckpointDescription& checkpoint)
                    "wall time between checkpoints, 0 is never");
 }
 
-void declare_comparison(Section section, ComparisonDescription& comparison)
+/// The model decides which keys are needed, which resolve_names checks.
+void declare_comparison(Section section, CaseDraft& draft)
 {
-  section.required("Active film", comparison.active_film,
-                   text("the name of a film"),
-                   "the film that plays the strip with electrodes");
-  section.required("Passive film", comparison.passive_film,
-                   text("the name of a film"),
-                   "the film that plays the strip without");
-  section.required("Electrode", comparison.electrode,
-                   text("the name of an electrode"), "the driven electrode");
-  section.required("Bar", comparison.bar, text("the name of a bar"),
-                   "the bar between the strips");
+  study::ComparisonDescription& resonator = draft.comparison;
+  study::DemesComparisonDescription& demes = draft.demes_comparison;
+  section
+      .optional("Model", draft.comparison_model, one_of({"resonator", "demes"}),
+                "the lumped model: a resonator, or a DEMES of one angle")
+      .optional("Active film", resonator.active_film,
+                text("the name of a film"),
+                "the film that plays the strip with electrodes of a resonator")
+      .optional("Passive film", resonator.passive_film,
+                text("the name of a film"),
+                "the film that plays the strip without")
+      .optional("Bar", resonator.bar, text("the name of a bar"),
+                "the bar between the strips of a resonator")
+      .optional("Electrode", resonator.electrode,
+                text("the name of an electrode"), "the driven electrode")
+      .optional("Film", demes.film, text("the name of a film"),
+                "the film along the chord of a DEMES")
+      .optional("Legs", demes.legs, names_or_none("names of frames"),
+                "the frames that bend between the ends of a DEMES")
+      .optional("Left body", demes.left_body, text("the name of a rigid body"),
+                "one end of a DEMES, with half of the inertia")
+      .optional("Right body", demes.right_body,
+                text("the name of a rigid body"), "its other end")
+      .optional("Angle probe", demes.angle_probe, text("the name of a probe"),
+                "of the half angle between the ends of a DEMES")
+      .optional("Chord probe", demes.chord_probe, text("the name of a probe"),
+                "of the distance between the film's ends")
+      .optional("Stretch probe", demes.stretch_probe,
+                text("the name of a probe"),
+                "of the film's mean stretch along its first axis");
 }
 
 /// Film and dashpot of a lumped DEMES.
@@ -295,7 +316,6 @@ void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
       content.checkpoint);
   if (text.find({"Comparison"}))
     declare_comparison(
-        all.section({"Comparison"}, "the film case as a lumped resonator"),
-        draft.comparison);
+        all.section({"Comparison"}, "the film case as a lumped model"), draft);
 }
 } // namespace taut::io

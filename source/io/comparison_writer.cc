@@ -4,36 +4,16 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include <nlohmann/json.hpp>
+#include "comparison_json.h"
 
 namespace taut::io
 {
 namespace
 {
-using Json = nlohmann::ordered_json;
+using io::make_json;
 using study::ComparedEvent;
 using study::ComparedQuantity;
 using study::Comparison;
-
-Json make_json(const ComparedQuantity& quantity)
-{
-  return {{"name", quantity.name},
-          {"unit", quantity.unit},
-          {"max_relative_difference", quantity.max_relative_difference},
-          {"rms_relative_difference", quantity.rms_relative_difference},
-          {"time_of_max", quantity.time_of_max}};
-}
-
-Json make_json(const ComparedEvent& event)
-{
-  return {{"time", event.time},
-          {"voltage", event.voltage},
-          {"kind", event.kind},
-          {"place", event.place},
-          {"at_start", event.at_start}};
-}
 
 Json make_json(const study::FailureDifference& difference)
 {
@@ -63,24 +43,9 @@ Json make_json(const study::LumpedResonatorDescription& resonator)
 }
 
 template <class Item>
-Json make_list(const std::vector<Item>& items)
-{
-  Json list = Json::array();
-  for (const Item& item : items)
-    list.push_back(make_json(item));
-  return list;
-}
-
-template <class Item>
 Json make_optional(const std::optional<Item>& item)
 {
   return item ? make_json(*item) : Json();
-}
-
-/// A history may have gaps.
-std::string to_field_or_empty(const double value)
-{
-  return std::isnan(value) ? "" : to_field(value);
 }
 
 std::string describe_failure(const std::string& model,
@@ -95,15 +60,10 @@ std::string describe_failure(const std::string& model,
 
 std::string describe_quantities(const Comparison& comparison)
 {
-  std::string text = fmt::format(
-      "Film against lumped model until {:.6g} s, relative to the "
-      "largest lumped value:\n{:<26} {:>10} {:>10} {:>12}\n",
-      comparison.compared_until, "quantity", "largest", "rms", "largest at");
-  for (const ComparedQuantity& quantity : comparison.quantities)
-    text += fmt::format("{:<26} {:>10.2e} {:>10.2e} {:>10.4g} s\n",
-                        quantity.name, quantity.max_relative_difference,
-                        quantity.rms_relative_difference, quantity.time_of_max);
-  return text;
+  return fmt::format("Film against lumped model until {:.6g} s, relative to "
+                     "the largest lumped value:\n{}",
+                     comparison.compared_until,
+                     describe_differences(comparison.quantities));
 }
 } // namespace
 

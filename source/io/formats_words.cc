@@ -58,6 +58,18 @@ Format<std::vector<std::string>> names(const std::string& what)
   return format;
 }
 
+Format<std::vector<std::string>> names_or_none(const std::string& what)
+{
+  const auto plain = optionally(names(what), "none");
+  Format<std::vector<std::string>> format;
+  format.read = [plain](const std::string& text)
+  { return plain.read(text).value_or(std::vector<std::string>()); };
+  format.write = [plain](const std::vector<std::string>& values)
+  { return values.empty() ? "none" : plain.write(values); };
+  format.allowed = plain.allowed;
+  return format;
+}
+
 Format<std::array<bool, 3>> directions()
 {
   const std::vector<std::string> axes = {"x", "y", "z"};

@@ -86,6 +86,24 @@ public:
   {
     return equilibrium_.takes_full_steps();
   }
+  /// Starts the way with frames so stiff that the flat state, near `u`, is
+  /// stable there. Errors: StepRejected if no stiffness makes it so.
+  time::EquilibriumStatistics start(const time::EquilibriumOptions& options,
+                                    double* u)
+  {
+    constexpr double factor = 4, limit = 1e4;
+    while (true)
+      try
+      {
+        return time::find_equilibrium(*this, 0, u, options);
+      }
+      catch (const StepRejected&)
+      {
+        if (first_stiffness_ > limit)
+          throw;
+        first_stiffness_ *= factor;
+      }
+  }
 
 private:
   void enter(const double way)
@@ -113,7 +131,7 @@ private:
   Structure& structure_;
   Equilibrium& equilibrium_;
   const double time_;
-  const double first_stiffness_;
+  double first_stiffness_;
   std::array<double, 3> load_;
   unsigned int factorisations_ = 0;
 };
@@ -172,7 +190,7 @@ RestShape find_rest_shape(Structure& structure, LoadHistory& history,
     steps.first_step = 1. / options.steps;
     steps.largest_step = 1. / options.steps;
     steps.smallest_step = 1e-4;
-    const auto first = time::find_equilibrium(path, 0, u, steps.newton);
+    const auto first = path.start(steps.newton, u);
     time::EquilibriumStatistics rest;
     double begin = 0;
     for (const double end : {loaded, soft, 1.})

@@ -9,8 +9,11 @@ namespace taut::structure
 {
 namespace
 {
-/// Rate (1/s) at which a wrong length of a quaternion is forgotten.
-constexpr double length_rate = 1e3;
+/// Rate (1/s) at which a wrong length of a quaternion is forgotten. Nothing
+/// hurries it, and a stiff length would couple to the turning between two
+/// linearisations: Newton's method slows down where the turn (rad) in a step h
+/// times length_rate h is not small.
+constexpr double length_rate = 1;
 
 double dot(const Quaternion& a, const Quaternion& b)
 {

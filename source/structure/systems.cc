@@ -225,7 +225,9 @@ void InertialSystem::solve(const double* r, double* d)
       b[i] += product[i];
   }
   structure_.add_force_change(alpha_, internal(r), b.data());
+  structure_.turn_with_frames(false, b.data());
   structure_.solve(b.data(), b.data());
+  structure_.turn_with_frames(true, b.data());
   std::vector<double> change(structure_.n_internal());
   structure_.compute_internal_change(alpha_, b.data(), internal(r),
                                      change.data());

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "comparison_events.h"
+#include "comparison_rows.h"
 
 namespace taut::study
 {
@@ -98,55 +99,6 @@ std::vector<Definition> make_definitions(const Case& film_case,
   return all;
 }
 
-/// Keeps rows and events, and passes everything on.
-class Recorder : public RunOutput
-{
-public:
-  explicit Recorder(RunOutput& next) : next_(next) {}
-  void begin(const std::vector<Column>& columns) override
-  {
-    next_.begin(columns);
-  }
-  void write_row(const std::vector<double>& row) override
-  {
-    rows[row.front()] = row;
-    next_.write_row(row);
-  }
-  void write_event(const EventRecord& event) override
-  {
-    events.push_back(event);
-    next_.write_event(event);
-  }
-  void write_fields(double, structure::StructureSystem&, const double*) override
-  {
-  }
-  void write_checkpoint(const RunProgress&, structure::StructureSystem&,
-                        const double*) override
-  {
-  }
-  void report_step(const time::Step& step,
-                   const time::IntegratorStatistics& statistics,
-                   const double balance_relative) override
-  {
-    next_.report_step(step, statistics, balance_relative);
-  }
-  bool wants_checkpoint() override
-  {
-    return false;
-  }
-  bool interrupted() override
-  {
-    return next_.interrupted();
-  }
-
-  /// By time.
-  std::map<double, std::vector<double>> rows;
-  std::vector<EventRecord> events;
-
-private:
-  RunOutput& next_;
-};
-
 void record_film_events(const std::vector<EventRecord>& events,
                         const Case& film_case, Comparison& comparison)
 {
@@ -185,8 +137,6 @@ void compare_failures(const Case& film_case, Comparison& comparison)
     comparison.failure_difference = compare_failures(*film, *lumped);
 }
 
-using Rows = std::map<double, std::vector<double>>;
-
 Rows run_lumped_rows(const Case& film_case, const Rows& film_rows,
                      const std::vector<Definition>& definitions,
                      Comparison& comparison)
@@ -221,40 +171,6 @@ Rows select_film_rows(const Rows& rows, const std::size_t first,
     for (std::size_t i = 0; i < definitions.size(); ++i)
       selected[time].push_back(definitions[i].film_factor * row[first + i]);
   return selected;
-}
-
-/// Whether the voltage jumps there: one model writes the row before the jump,
-/// the other the one after it.
-bool is_at_jump(const Signal& voltage, const double time)
-{
-  return voltage.value(time) != voltage.value_before(time);
-}
-
-void compute_differences(const std::vector<double>& times,
-                         const std::vector<bool>& counts,
-                         ComparedQuantity& quantity)
-{
-  double scale = 0, squares = 0;
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < times.size(); ++i)
-    if (counts[i])
-      scale = std::max(scale, std::abs(quantity.lumped[i]));
-  for (std::size_t i = 0; i < times.size() && scale > 0; ++i)
-  {
-    if (!counts[i])
-      continue;
-    const double difference =
-        std::abs(quantity.film[i] - quantity.lumped[i]) / scale;
-    squares += difference * difference;
-    ++n;
-    if (difference > quantity.max_relative_difference)
-    {
-      quantity.max_relative_difference = difference;
-      quantity.time_of_max = times[i];
-    }
-  }
-  if (n > 0)
-    quantity.rms_relative_difference = std::sqrt(squares / double(n));
 }
 
 std::vector<double> get_values(const Rows& rows, const std::size_t quantity,
@@ -314,10 +230,7 @@ Case make_observed_case(const Case& film_case,
     observed.device.probes.push_back(definition.probe);
     observed.device.probes.back().name += " (comparison)";
   }
-  observed.output.write_fields = false;
-  observed.output.field_intervals = 0;
-  observed.checkpoint = {0, 0, 0};
-  return observed;
+  return without_files(observed);
 }
 
 Comparison compare_models(const Case& film_case,

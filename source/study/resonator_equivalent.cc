@@ -1,10 +1,10 @@
 #include <taut/base/exceptions.h>
-#include <taut/base/nearest_name.h>
 #include <taut/study/resonator_equivalent.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "equivalent_checks.h"
 #include "resonator_equivalent_material.h"
 #include "resonator_equivalent_strip.h"
 
@@ -13,65 +13,10 @@ namespace taut::study
 namespace
 {
 using structure::Film;
-using structure::Named;
 using structure::RigidBar;
 using structure::Support;
 
 const std::array<const char*, 3> axis_names{{"x", "y", "z"}};
-
-[[noreturn]] void refuse(const Case& film_case, const std::string& kind,
-                         const Named& entry, const std::string& message)
-{
-  throw BadInput(message, film_case.file, entry.source_line,
-                 kind + " " + entry.name);
-}
-
-[[noreturn]] void refuse(const Case& film_case, const std::string& message)
-{
-  throw BadInput(message, film_case.file, 0, "Comparison");
-}
-
-template <class Entry>
-const Entry& find(const Case& film_case, const std::vector<Entry>& entries,
-                  const std::string& name, const std::string& kind)
-{
-  std::vector<std::string> names;
-  for (const Entry& entry : entries)
-    names.push_back(entry.name);
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    refuse(film_case,
-           "there is no " + kind + " '" + name + "'; " + suggest(name, names));
-  return entries[found - names.begin()];
-}
-
-/// Refuses every entry that is none of the `known` ones.
-template <class Entry>
-void check_no_others(const Case& film_case, const std::string& kind,
-                     const std::vector<Entry>& entries,
-                     const std::vector<std::string>& known)
-{
-  for (const Entry& entry : entries)
-    if (std::find(known.begin(), known.end(), entry.name) == known.end())
-      refuse(film_case, kind, entry,
-             "the lumped model of the comparison has no place for it");
-}
-
-void check_loads(const Case& film_case)
-{
-  const structure::Device& device = film_case.device;
-  check_no_others(film_case, "Pressure", device.pressures, {});
-  check_no_others(film_case, "Edge load", device.edge_loads, {});
-  for (const double component : device.environment.gravity)
-    if (component != 0)
-      throw BadInput("the lumped model of the comparison knows no gravity",
-                     film_case.file, 0, "Environment");
-  for (const Support& support : device.supports)
-    for (const std::string& shape : support.shape)
-      if (shape != "0")
-        refuse(film_case, "Support", support,
-               "the frame of the lumped model does not move");
-}
 
 void check_parts(const Case& film_case)
 {

@@ -59,8 +59,12 @@ inline structure::Device make_bow_device(const Bow& bow)
   }
   auto plane = make_support("beam", {{false, true, false}});
   plane.held_rotations = {{true, false, true}};
-  device.supports = {make_support("film", {{false, true, false}}), plane,
-                     make_clamp("beam_middle")};
+  // The film stays flat, as it would by itself: under voltage its held width
+  // is compressed, and nothing else keeps a thin film from wrinkling.
+  auto middle = make_clamp("beam_middle");
+  middle.held = {{true, true, false}};
+  device.supports = {make_support("film", {{false, true, true}}), plane,
+                     middle};
   return device;
 }
 

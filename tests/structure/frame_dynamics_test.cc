@@ -75,8 +75,8 @@ std::array<double, 2> run(const double peak, const double tolerance,
   double energy = 0, drift = 0, balance = 0;
   observer.step = [&](const time::Step& step, const auto&)
   {
-    balance = std::max(balance, std::abs(compute_balance(system, step.end(),
-                                                         step.state())));
+    balance = std::max(
+        balance, std::abs(compute_balance(system, step.end(), step.state())));
     if (step.end() < 2)
       return;
     const double now =

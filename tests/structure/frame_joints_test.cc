@@ -188,14 +188,14 @@ TEST(FrameJoint, SharesAMomentBetweenBeams)
   Statics statics(*model.structure);
   statics.find();
   // Relative errors: the angle to the square, 1e-6, the shear, 1e-5.
-  const double joint = compute_angle(
-      get_rotation_of(model, statics, "joint", 0), {0, 1, 0});
+  const double joint =
+      compute_angle(get_rotation_of(model, statics, "joint", 0), {0, 1, 0});
   const double top =
       compute_angle(get_rotation_of(model, statics, "top", 1), {0, 1, 0});
   EXPECT_NEAR(joint, moment / 8, 1e-4 * moment / 8);
   EXPECT_NEAR(top - joint, moment, 1e-4 * moment);
-  EXPECT_NEAR(get_position(model, statics, "top")[0],
-              moment / 8 + moment / 2, 1e-4 * moment);
+  EXPECT_NEAR(get_position(model, statics, "top")[0], moment / 8 + moment / 2,
+              1e-4 * moment);
 }
 } // namespace
 } // namespace taut::testing

@@ -78,10 +78,10 @@ inline Turning get_turning(structure::StructureSystem& system,
 {
   auto& structure = system.structure();
   const auto loads = system.history().at(time);
-  const Quaternion q = fe::get_quaternion(
-      rotation, structure.compute_positions(loads, state));
-  return {q, fe::get_quaternion(rotation,
-                                structure.compute_velocities(
-                                    loads, system.velocities(state)))};
+  const Quaternion q =
+      fe::get_quaternion(rotation, structure.compute_positions(loads, state));
+  return {q,
+          fe::get_quaternion(rotation, structure.compute_velocities(
+                                           loads, system.velocities(state)))};
 }
 } // namespace taut::testing

@@ -185,9 +185,9 @@ std::array<double, 3> bend_princeton_beam(const double angle)
 {
   constexpr double length = .508;
   structure::Device device;
-  device.frames = {make_frame(
-      "beam",
-      make_stiffnesses(2.932e6, 9.326e5, 3.221508, 2.505853, 39.846133))};
+  device.frames = {
+      make_frame("beam", make_stiffnesses(2.932e6, 9.326e5, 3.221508, 2.505853,
+                                          39.846133))};
   device.supports = {make_clamp("root")};
   device.point_loads = {
       make_point_load("tip", {0, std::cos(angle), std::sin(angle)})};

@@ -85,12 +85,12 @@ TEST(FreeRigidBody, FlipsAroundTheMiddleAxisAndKeepsItsMomentum)
     const double* y = step.state();
     const Vector3 now = get_omega(step.end(), y);
     const auto turning = get_turning(system, step.end(), y, rotation);
-    const Vector3 momentum = rotate(
-        turning.q,
-        {inertia[0] * now[0], inertia[1] * now[1], inertia[2] * now[2]});
+    const Vector3 momentum =
+        rotate(turning.q,
+               {inertia[0] * now[0], inertia[1] * now[1], inertia[2] * now[2]});
     for (unsigned int c = 0; c < 3; ++c)
-      momentum_drift = std::max(
-          momentum_drift, std::abs(momentum[c] - inertia[c] * omega[c]));
+      momentum_drift = std::max(momentum_drift,
+                                std::abs(momentum[c] - inertia[c] * omega[c]));
     drift = std::max(
         drift,
         std::abs(system.compute_energies(step.end(), y).kinetic - energy));
@@ -99,15 +99,13 @@ TEST(FreeRigidBody, FlipsAroundTheMiddleAxisAndKeepsItsMomentum)
   // Two flips per period.
   time::Schedule schedule;
   schedule.end = 2 * period;
-  const auto rr = integrate(system, state.data(), schedule, make_motion_options(std::getenv("TOL")?std::atof(std::getenv("TOL")):1e-8), {},
-            observer); std::cerr << "ST " << rr.statistics.steps << " err " << rr.statistics.rejected_by_error << " newton " << rr.statistics.rejected_by_newton << " fact " << rr.statistics.factorisations << " it " << rr.statistics.newton_iterations << " ev " << rr.statistics.evaluations << "\n";
-  std::cerr << "RB " << drift/energy << " " << momentum_drift/10 << " " << least << " period " << period << "\n";
+  integrate(system, state.data(), schedule, make_motion_options(3e-7), {},
+            observer);
   EXPECT_NEAR(least, -omega[1], .01 * omega[1]);
   EXPECT_LT(drift, 1e-5 * energy);
   EXPECT_LT(momentum_drift, 1e-5 * inertia[1] * omega[1]);
   const Vector3 last = get_omega(schedule.end, state.data());
   // Errors grow by the ratio of 5 to .01 at every flip.
-  for (unsigned int c = 0; c < 3; ++c) std::cerr << last[c] << "\n";
   for (unsigned int c = 0; c < 3; ++c)
     EXPECT_NEAR(last[c], omega[c], 1e-2 * omega[1]) << c;
 }
@@ -117,7 +115,7 @@ TEST(SpinningBeam, TurnsMoreThanTwiceAndTakesInTheWorkOfItsMoment)
 {
   constexpr double moment = .5, end = 4.5;
   structure::Device device;
-  auto section = make_stiffnesses(std::getenv("EA")?std::atof(std::getenv("EA")):1e5, std::getenv("EA")?std::atof(std::getenv("EA")):1e5, 10, 10, 10);
+  auto section = make_stiffnesses(1e4, 1e4, 100, 100, 100);
   section.mass_per_length = 1;
   section.rotary_inertia = {{2e-3, 1e-3, 1e-3}};
   device.frames = {make_frame("beam", section)};
@@ -147,21 +145,20 @@ TEST(SpinningBeam, TurnsMoreThanTwiceAndTakesInTheWorkOfItsMoment)
                            step.state(), "root");
     angle += compute_angle(multiply(conjugate(last), q), {0, 0, 1});
     last = q;
-    drift = std::max(drift, std::abs(compute_balance(system, step.end(),
-                                                     step.state())));
+    drift = std::max(
+        drift, std::abs(compute_balance(system, step.end(), step.state())));
   };
   time::Schedule schedule;
   schedule.end = end;
-  const auto rr = integrate(system, state.data(), schedule, make_motion_options(std::getenv("TOL")?std::atof(std::getenv("TOL")):1e-6), {},
-            observer); std::cerr << "ST " << rr.statistics.steps << " err " << rr.statistics.rejected_by_error << " newton " << rr.statistics.rejected_by_newton << " fact " << rr.statistics.factorisations << " it " << rr.statistics.newton_iterations << " ev " << rr.statistics.evaluations << "\n";
+  integrate(system, state.data(), schedule, make_motion_options(1e-6), {},
+            observer);
   // A rigid bar turns by m t^2/(2 J), J = 1/3 + 1e-3; the beam swings around
   // that by its flexibility.
-  std::cerr << "SP " << drift << " " << angle << "\n";
   EXPECT_GT(angle, 4 * pi);
-  EXPECT_NEAR(angle, .5 * moment * end * end / (1. / 3 + 1e-3), .5);
+  EXPECT_NEAR(angle, .5 * moment * end * end / (1. / 3 + 1e-3), .1);
   const double energy = system.compute_energies(end, state.data()).total();
-  EXPECT_NEAR(energy, moment * angle, 1e-5 * energy);
-  EXPECT_LT(drift, 1e-5 * energy);
+  EXPECT_NEAR(energy, moment * angle, 1e-4 * energy);
+  EXPECT_LT(drift, 1e-4 * energy);
 }
 } // namespace
 } // namespace taut::testing

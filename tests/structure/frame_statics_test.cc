@@ -100,7 +100,8 @@ TEST(FrameStatics, QuadraticBeamsConvergeWithFourthOrder)
     const auto tip = bend_cantilever(slender, n, 5);
     return std::array<double, 2>{
         compute_distance(tip.x, exact.x),
-        std::abs(compute_angle(multiply(conjugate(tip.q), exact.q), {0, 1, 0}))};
+        std::abs(
+            compute_angle(multiply(conjugate(tip.q), exact.q), {0, 1, 0}))};
   };
   const auto coarse = compute_error(8), fine = compute_error(16);
   for (unsigned int i = 0; i < 2; ++i)
@@ -145,8 +146,8 @@ public:
     const auto n_steps = static_cast<unsigned int>(std::ceil(8 * turns));
     for (unsigned int step = 1; step <= n_steps; ++step)
     {
-      statics_.loads.point_loads[0].moment = Signal::constant(
-          turns * 2 * pi * bending / length * step / n_steps);
+      statics_.loads.point_loads[0].moment =
+          Signal::constant(turns * 2 * pi * bending / length * step / n_steps);
       statics_.apply();
       statics_.find();
     }

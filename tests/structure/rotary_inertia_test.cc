@@ -55,8 +55,8 @@ protected:
   /// In space.
   Vector3 compute_momentum(const Quaternion& q, const Quaternion& rate) const
   {
-    return rotate(q, multiply(inertia_.inertia,
-                              compute_angular_velocity(q, rate)));
+    return rotate(
+        q, multiply(inertia_.inertia, compute_angular_velocity(q, rate)));
   }
   /// q + h rate + h^2/2 acceleration and its rate.
   static std::array<Quaternion, 2> move(const Quaternion& q,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <study/resonator_case.h>
+#include <study/silence.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -15,39 +16,11 @@ using testing::make_case;
 using testing::make_mesh;
 using testing::shear_modulus;
 
-/// A run that nobody watches.
-class Silence : public RunOutput
-{
-public:
-  void begin(const std::vector<Column>&) override {}
-  void write_row(const std::vector<double>&) override {}
-  void write_event(const EventRecord&) override {}
-  void write_fields(double, structure::StructureSystem&, const double*) override
-  {
-  }
-  void write_checkpoint(const RunProgress&, structure::StructureSystem&,
-                        const double*) override
-  {
-  }
-  void report_step(const time::Step&, const time::IntegratorStatistics&,
-                   double) override
-  {
-  }
-  bool wants_checkpoint() override
-  {
-    return false;
-  }
-  bool interrupted() override
-  {
-    return false;
-  }
-};
-
 Comparison compare(const Case& film_case, const fe::MeshData& mesh)
 {
   const auto equivalent = make_resonator_equivalent(film_case, mesh);
   testing::Model model(make_observed_case(film_case, equivalent).device, mesh);
-  Silence silence;
+  testing::Silence silence;
   return compare_models(film_case, equivalent, *model.structure, silence);
 }
 

@@ -50,7 +50,9 @@ struct CaseDraft
   std::vector<FrameDraft> frames;
   /// Per probe.
   std::vector<ProbePoint> probe_points;
+  std::string comparison_model = "resonator";
   study::ComparisonDescription comparison;
+  study::DemesComparisonDescription demes_comparison;
 };
 
 /// Declares everything that `text` may hold, bound to `draft`, whose lists get

@@ -78,6 +78,8 @@ Format<bool> yes_no();
 Format<std::string> text(const std::string& allowed);
 /// At least one name, separated by commas, none twice.
 Format<std::vector<std::string>> names(const std::string& what);
+/// "none" is an empty list.
+Format<std::vector<std::string>> names_or_none(const std::string& what);
 /// A time history, see taut::Signal.
 Format<Signal> signal(const std::string& unit);
 /// How a property depends on the temperature, see material::TemperatureLaw.

@@ -21,6 +21,7 @@ struct RestPathOptions
   /// of the device. By beam theory a load of 1 bends a cantilever of length L
   /// by L, one of half the length by L/16.
   double perturbation = 2;
+  /// More where that leaves the flat state unstable.
   double first_stiffness = 10;
   /// Steps of the path, at least.
   unsigned int steps = 6;

@@ -197,8 +197,13 @@ public:
   /// Replaces the forces on quaternions by what their accelerations would need
   /// if the mass matrix held (see RotaryInertia), at the last compute_forces.
   void turn_forces_into_accelerations(const double* v, double* forces) const;
-  /// Undoes this for a residual, at the state of the last factorise.
+  /// Undoes this for a residual.
   void turn_accelerations_into_forces(double* residual) const;
+  /// Turns vectors at the nodes of frames from their orientation at the last
+  /// factorise to that of the last compute_forces, or back. The factors of a
+  /// tangent serve longer for vectors turned like this: beams are stiff along
+  /// their axes, wherever these point.
+  void turn_with_frames(bool forward, double* vector) const;
   bool has_frame_damping() const;
   bool has_follower_forces() const
   {
@@ -266,7 +271,12 @@ private:
                            double* free) const;
   /// Calls function(rotation, its inertia) for the rotations this rank owns.
   template <typename Function>
-  void for_each_rotation(const Function& function) const;
+  void for_each_rotation(const Function& function) const
+  {
+    for (std::size_t i = 0; i < nodes().rotations.size(); ++i)
+      if (nodes().rotations[i].vector < nodes().n_owned)
+        function(nodes().rotations[i], rotary_[i]);
+  }
   void add_bar_forces(fe::NodalVector& forces) const;
   void add_bar_tangent(const fe::TangentRequest& request,
                        fe::TangentMatrix& matrix) const;

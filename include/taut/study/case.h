@@ -96,7 +96,8 @@ struct LumpedResonatorDescription
 /// With which shape a lumped DEMES begins.
 enum class DemesStart
 {
-  rest, ///< the relaxed equilibrium without voltage at the reference temperature
+  rest, ///< the relaxed equilibrium without voltage at the reference
+        ///< temperature
   flat  ///< the straight frame with a film that is relaxed at its pre-stretch
 };
 
@@ -105,14 +106,14 @@ enum class DemesStart
 /// into an arc.
 struct LumpedDemesDescription
 {
-  double film_length = 0;    ///< L_0 undeformed (m)
-  double film_width = 0;     ///< W_0, which is held (m)
-  double film_thickness = 0; ///< t_0 undeformed (m)
-  double film_offset = 0;    ///< h, of the film from the frame's axis (m)
-  double pre_stretch = 2;    ///< lambda_p; the frame is lambda_p L_0 long
-  double shear_modulus = 0;  ///< mu of the elastic spring (Pa)
-  double viscous_ratio = 2.5;     ///< beta, of the viscous branch to mu
-  double viscosity = 0;           ///< eta (Pa s)
+  double film_length = 0;     ///< L_0 undeformed (m)
+  double film_width = 0;      ///< W_0, which is held (m)
+  double film_thickness = 0;  ///< t_0 undeformed (m)
+  double film_offset = 0;     ///< h, of the film from the frame's axis (m)
+  double pre_stretch = 2;     ///< lambda_p; the frame is lambda_p L_0 long
+  double shear_modulus = 0;   ///< mu of the elastic spring (Pa)
+  double viscous_ratio = 2.5; ///< beta, of the viscous branch to mu
+  double viscosity = 0;       ///< eta (Pa s)
   double relative_permittivity = 5.310702; ///< of the unstretched film
   /// a, b, c of 1 + a (l - 1) + b (l - 1)^2 + c (l - 1)^3; empty = constant.
   std::vector<double> permittivity_coefficients{-0.1658, 0.04086, -0.00302754};
@@ -123,8 +124,8 @@ struct LumpedDemesDescription
   double rest_angle = 0;      ///< of the frame without film (rad)
   std::string temperature_laws = "softening"; ///< by name
   double temperature = 299;                   ///< (K)
-  bool charge_controlled = false; ///< the source holds the charge
-  Signal source;                  ///< voltage (V) or charge (C)
+  bool charge_controlled = false;             ///< the source holds the charge
+  Signal source;                              ///< voltage (V) or charge (C)
   DemesStart start = DemesStart::rest;
   double seed_angle = 0.01; ///< of a flat start (rad)
   double tolerance = 1e-9;  ///< local error of a step, relative
@@ -139,6 +140,21 @@ struct ComparisonDescription
   std::string bar;
 };
 
+/// Which parts of the device play the parts of a lumped DEMES.
+struct DemesComparisonDescription
+{
+  std::string film;
+  std::string electrode;
+  std::vector<std::string> legs; ///< names of frames
+  std::string left_body;
+  std::string right_body;
+  /// Probes of the half angle (rad), of the distance of the film's ends (m) and
+  /// of the film's mean stretch.
+  std::string angle_probe;
+  std::string chord_probe;
+  std::string stretch_probe;
+};
+
 struct Case
 {
   std::string file;
@@ -148,7 +164,9 @@ struct Case
   structure::Device device;
   LumpedResonatorDescription lumped_resonator;
   LumpedDemesDescription lumped_demes;
+  /// At most one of both.
   std::optional<ComparisonDescription> comparison;
+  std::optional<DemesComparisonDescription> demes_comparison;
   ProcedureDescription procedure;
   OutputDescription output;
   CheckpointDescription checkpoint;

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <taut/study/comparison.h>
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+/// What the writers of all comparisons share.
+namespace taut::io
+{
+using Json = nlohmann::ordered_json;
+
+Json make_json(const study::ComparedQuantity& quantity);
+Json make_json(const study::ComparedEvent& event);
+
+template <class Item>
+Json make_list(const std::vector<Item>& items)
+{
+  Json list = Json::array();
+  for (const Item& item : items)
+    list.push_back(make_json(item));
+  return list;
+}
+
+/// A history may have gaps.
+std::string to_field_or_empty(double value);
+
+/// Lines of name, largest and rms difference, time of the largest, with a head.
+std::string
+describe_differences(const std::vector<study::ComparedQuantity>& quantities);
+} // namespace taut::io

@@ -1,0 +1,87 @@
+// What a frame cannot be on its mesh.
+#include <taut/base/exceptions.h>
+
+#include <gtest/gtest.h>
+
+#include "structure/demes.h"
+
+namespace taut::testing
+{
+namespace
+{
+std::string refuse(const std::function<void(structure::Device&)>& spoil)
+{
+  auto device = make_demes_device({});
+  spoil(device);
+  try
+  {
+    Model model(device, make_demes_mesh({}));
+  }
+  catch (const BadInput& error)
+  {
+    return error.what();
+  }
+  return "accepted";
+}
+
+void expect_contains(const std::string& text, const std::string& part)
+{
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+TEST(FrameRefusals, NameTheEntryAndWhatIsWrong)
+{
+  expect_contains(
+      refuse([](auto& device) { device.frames[0].groups = {"lags"}; }), "lags");
+  expect_contains(refuse(
+                      [](auto& device)
+                      {
+                        device.frames[0].attachment =
+                            structure::Frame::Attachment::at;
+                        device.frames[0].attached_at = {"middles"};
+                      }),
+                  "no node of both the frame and a film");
+  expect_contains(refuse(
+                      [](auto& device)
+                      {
+                        structure::Hinge hinge;
+                        hinge.name = "elbow";
+                        hinge.groups = {"middles"};
+                        device.hinges = {hinge};
+                      }),
+                  "fewer than two frames");
+  expect_contains(refuse(
+                      [](auto& device) {
+                        device.bodies[1].groups = {"west", "east_legs"};
+                      }),
+                  "shares nodes with the body 'west'");
+  expect_contains(refuse(
+                      [](auto& device)
+                      {
+                        auto support = make_support("east_legs", {});
+                        support.held = {{true, true, true}};
+                        device.supports.push_back(support);
+                      }),
+                  "may turn about it");
+  expect_contains(refuse(
+                      [](auto& device)
+                      {
+                        auto load = make_point_load("south_west", {{0, 0, 1}});
+                        load.groups = {"nowhere"};
+                        device.point_loads = {load};
+                      }),
+                  "no group 'nowhere'");
+}
+
+TEST(FrameRefusals, AFrameOfTwoNamesOnOneLine)
+{
+  const auto message = refuse(
+      [](auto& device)
+      {
+        device.frames.push_back(device.frames[0]);
+        device.frames[1].name = "second";
+      });
+  expect_contains(message, "shares the line 'legs'");
+}
+} // namespace
+} // namespace taut::testing
