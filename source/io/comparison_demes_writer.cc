@@ -121,7 +121,7 @@ std::string describe_row(const std::string& name, const DemesShape& shape,
                          const std::array<double, 3>& frequencies)
 {
   std::string line = fmt::format(
-      "{:<26} {:>8} {:>10} {:>8}", name, describe_number(shape.angle),
+      "{:<26} {:>10} {:>10} {:>8}", name, describe_number(shape.angle),
       describe_number(shape.chord), describe_number(shape.stretch));
   for (const double frequency : frequencies)
     line += fmt::format(" {:>9}", describe_number(frequency));
@@ -138,9 +138,9 @@ std::string describe_rest(const DemesRest& rest, const std::string& model)
 std::string describe_models(const DemesComparison& comparison)
 {
   std::string text = fmt::format(
-      "{:<26} {:>8} {:>10} {:>8} {:>9} {:>9} {:>9}\n{:<26} {:>8} {:>10} {:>8} "
+      "{:<26} {:>10} {:>10} {:>8} {:>9} {:>9} {:>9}\n{:<26} {:>10} {:>10} {:>8} "
       "{:>9} {:>9} {:>9}\n",
-      "", "angle", "chord", "stretch", "relaxed", "instant", "measured",
+      "", "half angle", "chord", "stretch", "relaxed", "instant", "measured",
       "at rest", "rad", "m", "1", "Hz", "Hz", "Hz");
   for (const DemesModel* model : get_models(comparison))
     text += describe_rest(model->rest, model->name);

@@ -74,7 +74,7 @@ void measure(const Shapes& shapes, DemesModel& model)
   if (std::isnan(swing.frequency))
     return;
   const auto mean = [&](const std::vector<double>& values)
-  { return compute_mean(times, values, swing.begin, swing.end); };
+  { return compute_mean(times, values, swing); };
   model.mean = {mean(angle), mean(chord), mean(stretch)};
 }
 
