@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "comparison_json.h"
+#include "comparison_writer_json.h"
 
 namespace taut::io
 {
@@ -121,7 +121,7 @@ std::string describe_row(const std::string& name, const DemesShape& shape,
                          const std::array<double, 3>& frequencies)
 {
   std::string line = fmt::format(
-      "{:<26} {:>8} {:>10} {:>8}", name, describe_number(shape.angle),
+      "{:<26} {:>10} {:>10} {:>8}", name, describe_number(shape.angle),
       describe_number(shape.chord), describe_number(shape.stretch));
   for (const double frequency : frequencies)
     line += fmt::format(" {:>9}", describe_number(frequency));
@@ -137,17 +137,23 @@ std::string describe_rest(const DemesRest& rest, const std::string& model)
 
 std::string describe_models(const DemesComparison& comparison)
 {
-  std::string text = fmt::format(
-      "{:<26} {:>8} {:>10} {:>8} {:>9} {:>9} {:>9}\n{:<26} {:>8} {:>10} {:>8} "
-      "{:>9} {:>9} {:>9}\n",
-      "", "angle", "chord", "stretch", "relaxed", "instant", "measured",
-      "at rest", "rad", "m", "1", "Hz", "Hz", "Hz");
+  std::string text =
+      fmt::format("{:<26} {:>10} {:>10} {:>8} {:>9} {:>9} {:>9}\n{:<26} {:>10} "
+                  "{:>10} {:>8} "
+                  "{:>9} {:>9} {:>9}\n",
+                  "", "half angle", "chord", "stretch", "relaxed", "instant",
+                  "measured", "at rest", "rad", "m", "1", "Hz", "Hz", "Hz");
   for (const DemesModel* model : get_models(comparison))
     text += describe_rest(model->rest, model->name);
   for (const DemesModel* model : get_models(comparison))
     if (model->driven)
       text += describe_rest(*model->driven, model->name);
-  text += "mean over the periods of the run\n";
+  return text;
+}
+
+std::string describe_oscillations(const DemesComparison& comparison)
+{
+  std::string text = "mean over the periods of the run\n";
   for (const DemesModel* model : get_models(comparison))
     text += describe_row(
         model->name, model->mean,
@@ -205,6 +211,8 @@ void write_comparison_table(const std::string& file,
 std::string describe_comparison(const DemesComparison& comparison)
 {
   std::string text = describe_models(comparison);
+  if (!std::isnan(comparison.film.oscillation.frequency))
+    text += describe_oscillations(comparison);
   text += fmt::format("Film against arc and elastica until {:.6g} s, relative "
                       "to the largest lumped value:\n{}",
                       comparison.compared_until,

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "comparison_json.h"
+#include "comparison_writer_json.h"
 
 namespace taut::io
 {

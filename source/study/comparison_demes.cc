@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "comparison_demes_models.h"
 #include "comparison_rows.h"
@@ -74,7 +73,7 @@ void measure(const Shapes& shapes, DemesModel& model)
   if (std::isnan(swing.frequency))
     return;
   const auto mean = [&](const std::vector<double>& values)
-  { return compute_mean(times, values, swing.begin, swing.end); };
+  { return compute_mean(times, values, swing); };
   model.mean = {mean(angle), mean(chord), mean(stretch)};
 }
 
@@ -110,17 +109,16 @@ void compare_histories(DemesComparison& comparison)
   }
 }
 
-void gather_times(const Shapes& film, const Shapes& lumped,
-                  const Signal& voltage, DemesComparison& comparison)
+/// Of events the film alone has rows.
+void keep_times(const std::vector<double>& times, const Signal& voltage,
+                DemesComparison& comparison)
 {
-  std::set<double> all;
-  for (const Shapes* shapes : {&film, &lumped})
-    for (const auto& [time, shape] : *shapes)
-      if (!is_at_jump(voltage, time))
-        all.insert(time);
-  comparison.times.assign(all.begin(), all.end());
-  for (const double time : comparison.times)
-    comparison.voltage.push_back(voltage.value(time));
+  for (const double time : times)
+    if (!is_at_jump(voltage, time))
+    {
+      comparison.times.push_back(time);
+      comparison.voltage.push_back(voltage.value(time));
+    }
 }
 
 void run_film_model(const Case& film_case, structure::Structure& structure,
@@ -164,7 +162,7 @@ DemesComparison compare_demes_models(const Case& film_case,
   const Shapes elastica = run_elastica(film_case.procedure, times, comparison);
   Shapes film;
   run_film_model(film_case, structure, output, comparison, film);
-  gather_times(film, arc, equivalent.device.source, comparison);
+  keep_times(times, equivalent.device.source, comparison);
   const auto take = [&](const Shapes& shapes, DemesModel& model)
   {
     fill_history(comparison.times, shapes, model);

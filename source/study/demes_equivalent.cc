@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparison_checks.h"
 #include "demes_equivalent_film.h"
 #include "demes_equivalent_legs.h"
-#include "equivalent_checks.h"
 #include "resonator_equivalent_strip.h"
 
 namespace taut::study

@@ -5,7 +5,7 @@
 
 #include <variant>
 
-#include "equivalent_checks.h"
+#include "comparison_checks.h"
 
 namespace taut::study
 {

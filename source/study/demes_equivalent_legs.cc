@@ -7,8 +7,8 @@
 #include <optional>
 #include <set>
 
+#include "comparison_checks.h"
 #include "demes_equivalent_film.h"
-#include "equivalent_checks.h"
 
 namespace taut::study
 {

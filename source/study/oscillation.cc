@@ -67,33 +67,48 @@ double compute_mean(const std::vector<double>& times,
   return sum / (end - begin);
 }
 
+double compute_mean(const std::vector<double>& times,
+                    const std::vector<double>& values,
+                    const Oscillation& oscillation)
+{
+  const auto mean = [&](const std::array<double, 2>& span)
+  { return compute_mean(times, values, span[0], span[1]); };
+  return (mean(oscillation.rises) + mean(oscillation.falls)) / 2;
+}
+
 Oscillation measure_oscillation(const std::vector<double>& times,
                                 const std::vector<double>& values,
                                 const double smallest)
 {
-  Oscillation result;
   if (times.size() < 3)
-    return result;
+    return {};
+  std::vector<double> mirrored = values;
+  for (double& value : mirrored)
+    value = -value;
   // The mean over whole periods and the crossings that bound them depend on
   // each other.
   constexpr unsigned int rounds = 5;
-  double mean = compute_mean(times, values, (times.front() + times.back()) / 2,
+  Oscillation result;
+  result.mean = compute_mean(times, values, (times.front() + times.back()) / 2,
                              times.back());
   for (unsigned int round = 0; round < rounds; ++round)
   {
-    const double largest = compute_largest_swing(values, mean);
+    const double largest = compute_largest_swing(values, result.mean);
     if (!(largest > smallest))
       return {};
-    const auto crossings = find_upward(times, values, mean, 0.05 * largest);
-    if (crossings.size() < 2)
+    const double band = 0.05 * largest;
+    const auto up = find_upward(times, values, result.mean, band);
+    const auto down = find_upward(times, mirrored, -result.mean, band);
+    if (up.size() < 2)
       return {};
-    result.begin = crossings.front();
-    result.end = crossings.back();
+    result.rises = {up.front(), up.back()};
+    result.falls = down.size() < 2
+                       ? result.rises
+                       : std::array<double, 2>{down.front(), down.back()};
     result.frequency =
-        double(crossings.size() - 1) / (result.end - result.begin);
-    mean = compute_mean(times, values, result.begin, result.end);
+        double(up.size() - 1) / (result.rises[1] - result.rises[0]);
+    result.mean = compute_mean(times, values, result);
   }
-  result.mean = mean;
   return result;
 }
 } // namespace taut::study

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "equivalent_checks.h"
+#include "comparison_checks.h"
 #include "resonator_equivalent_material.h"
 #include "resonator_equivalent_strip.h"
 

@@ -62,6 +62,27 @@ class CompareTest(unittest.TestCase):
         rows = {pixels[i:i + row] for i in range(0, len(pixels), row)}
         self.assertGreater(len(rows), height // 10)
 
+    def test_a_demes_is_compared_with_elastica_and_arc(self):
+        mesh = ("hole_length: 0.04, hole_width: 0.04, leg_width: 5.015e-3, "
+                "cells_along: 4, cells_across: 4, cells_leg: 10")
+        done, result = self.compare(
+            "../demes/dc.prm", "--set", "Procedure/End time = 0.02", "--set",
+            "Mesh/Parameters = " + mesh)
+        rest = {model["name"]: model["rest"] for model in result["models"]}
+        # Closed forms for pre-stretch 2 and K = 1, which dc.prm rounds.
+        self.assertAlmostEqual(rest["elastica"]["stretch"], 1.6092, delta=3e-4)
+        self.assertAlmostEqual(rest["arc"]["stretch"], 1.7824, delta=3e-4)
+        # The width is free: less than 5 % from the elastica, more from the arc.
+        film = rest["finite elements"]["stretch"]
+        self.assertLess(abs(film / rest["elastica"]["stretch"] - 1), 0.05)
+        self.assertGreater(abs(film / rest["arc"]["stretch"] - 1), 0.05)
+        self.assertEqual(
+            [quantity["name"] for quantity in result["quantities"]],
+            [name + of for of in ("", " (elastica)")
+             for name in ("angle", "chord", "stretch")])
+        self.assertIn("width of the film is free", done.stdout)
+        self.assert_not_blank(self.folder / "out" / "compare.png")
+
     def test_the_ideal_resonator_agrees_with_the_lumped_model(self):
         done, result = self.compare("ideal.prm")
         names = {quantity["name"] for quantity in result["quantities"]}

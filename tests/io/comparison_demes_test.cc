@@ -62,8 +62,8 @@ study::DemesComparison make_comparison()
   study::DemesComparison comparison;
   comparison.times = {0, 0.5};
   comparison.voltage = {0, 10};
-  const auto set = [](study::DemesModel& model, const char* name,
-                      const double angle)
+  const auto set =
+      [](study::DemesModel& model, const char* name, const double angle)
   {
     model.name = name;
     model.rest.shape = {angle, 0.03, 1.5};
@@ -114,8 +114,8 @@ TEST(ComparisonDemesWriter, JsonKeepsTheContractAndAddsTheModels)
 
 TEST(ComparisonDemesWriter, TableHasAllModelsAndLeavesGapsEmpty)
 {
-  const testing::Folder folder;
-  const std::string file = folder / "compare.csv";
+  const testing::SharedFolder folder("comparison_demes");
+  const std::string file = folder.get("compare.csv");
   write_comparison_table(file, make_comparison());
   const std::string text = read_file(file);
   EXPECT_EQ(text.substr(0, text.find('\n')),

@@ -44,10 +44,12 @@ double get_rms(const DemesComparison& comparison, const std::string& name)
   return std::nan("");
 }
 
-/// Limit D2: 40 quadratic elements are within 1e-5 of the elastica.
+/// Limit D2: 20 quadratic elements are within 1e-4 of the elastica.
 TEST(ComparisonDemes, AFrameLoadedAtItsEndsIsAnElastica)
 {
-  const auto comparison = compare(Bow{}, 0.5);
+  Bow bow;
+  bow.n_elements = 20;
+  const auto comparison = compare(bow, 0.42);
   ASSERT_EQ(comparison.film_summary.status, Status::completed);
   expect_same_rest(comparison.film, comparison.elastica, 1e-4);
   // Arc and elastica of pre-stretch 2: lambda = 1.78243 and 1.60918, theta =
@@ -65,13 +67,13 @@ TEST(ComparisonDemes, AFrameLoadedAtItsEndsIsAnElastica)
 }
 
 /// Limit D1: with stand-offs the pull bends the frame by moments alone, into an
-/// arc; at h/C = 2 and a fifth less stretch arc and elastica differ by 2e-6 in
+/// arc; at h/C = 1 and a fifth less stretch arc and elastica differ by 3e-5 in
 /// the angle.
 TEST(ComparisonDemes, AFrameWithHighStandOffsIsAnArc)
 {
   Bow bow;
-  bow.stand_off = 2 * bow.length();
-  bow.stiffness_number = 217;
+  bow.stand_off = bow.length();
+  bow.stiffness_number = 55;
   const auto comparison = compare(bow, 0.01);
   expect_same_rest(comparison.film, comparison.elastica, 1e-4);
   expect_same_rest(comparison.film, comparison.arc, 1e-4);

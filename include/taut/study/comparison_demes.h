@@ -48,7 +48,7 @@ struct DemesModel
 struct DemesComparison
 {
   DemesEquivalent equivalent;
-  /// Rows of all models, except those at a jump of the voltage (s).
+  /// The output times, except those at a jump of the voltage (s).
   std::vector<double> times;
   std::vector<double> voltage; ///< (V)
   DemesModel film, elastica, arc;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -11,10 +12,10 @@ struct Oscillation
   /// Of the whole periods between the first and the last upward crossing of
   /// the mean (Hz).
   double frequency = std::numeric_limits<double>::quiet_NaN();
-  /// Over these periods.
   double mean = std::numeric_limits<double>::quiet_NaN();
-  double begin = std::numeric_limits<double>::quiet_NaN(); ///< (s)
-  double end = std::numeric_limits<double>::quiet_NaN();   ///< (s)
+  /// The first and the last crossing upwards and downwards (s); if there are
+  /// not two downwards, those upwards.
+  std::array<double, 2> rises{}, falls{};
 };
 
 /// Measures a history at increasing times (s) by its upward crossings of its
@@ -25,6 +26,13 @@ struct Oscillation
 Oscillation measure_oscillation(const std::vector<double>& times,
                                 const std::vector<double>& values,
                                 double smallest);
+
+/// Mean over the periods between upward crossings and over those between
+/// downward ones, half of each: where the oscillation decays the first is too
+/// high by what the second is too low.
+double compute_mean(const std::vector<double>& times,
+                    const std::vector<double>& values,
+                    const Oscillation& oscillation);
 
 /// Mean from begin to end of a history that is linear between its rows.
 double compute_mean(const std::vector<double>& times,

@@ -1,4 +1,4 @@
-#include "equivalent_checks.h"
+#include "comparison_checks.h"
 
 #include <taut/base/exceptions.h>
 

@@ -1,4 +1,4 @@
-#include "comparison_json.h"
+#include "comparison_writer_json.h"
 
 #include <taut/io/csv_file.h>
 
