@@ -6,9 +6,7 @@ namespace taut::material
 {
 namespace
 {
-void move_permittivity(ConstantPermittivity&, double, double)
-{
-}
+void move_permittivity(ConstantPermittivity&, double, double) {}
 
 /// By d(A/T)/dT = -A/T^2.
 void move_permittivity(StretchPermittivity& law, const double temperature,

@@ -44,8 +44,8 @@ Factor compute(const TableLaw& law, const double temperature)
   // The slope at a row is that of the interval above it.
   const std::size_t above =
       std::upper_bound(T.begin() + 1, T.end() - 1, temperature) - T.begin();
-  const double slope = (law.factors[above] - law.factors[above - 1]) /
-                       (T[above] - T[above - 1]);
+  const double slope =
+      (law.factors[above] - law.factors[above - 1]) / (T[above] - T[above - 1]);
   return {law.factors[above - 1] + slope * (temperature - T[above - 1]), slope};
 }
 
@@ -83,8 +83,8 @@ Factor compute(const TemperatureLaw& law, const double temperature)
   if (!(temperature >= lowest && temperature <= highest))
   {
     std::ostringstream message;
-    message << "the temperature is " << temperature
-            << " K, its law holds from " << lowest << " to " << highest << " K";
+    message << "the temperature is " << temperature << " K, its law holds from "
+            << lowest << " to " << highest << " K";
     throw StepRejected(message.str());
   }
   return std::visit([&](const auto& one) { return compute(one, temperature); },

@@ -70,8 +70,8 @@ TEST(Temperature, StepFollowsTheTangentOfTheEnergy)
   const Elastomer elastomer = make_elastomer();
   const ThermalLaws laws = make_laws();
   const double T = 320., step = 1e-3;
-  const auto compute = [&](const State& state, const double at,
-                           const double further)
+  const auto compute =
+      [&](const State& state, const double at, const double further)
   {
     return energy(make_at_temperature(elastomer, laws, at, further), state.C,
                   state.A.data(), {make_strong_field().nominal_squared, at});

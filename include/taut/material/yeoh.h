@@ -19,8 +19,7 @@ inline double shear_modulus(const Yeoh& spring)
 
 inline Yeoh scale_moduli(const Yeoh& spring, double factor)
 {
-  return {factor * spring.first_coefficient,
-          factor * spring.second_coefficient,
+  return {factor * spring.first_coefficient, factor * spring.second_coefficient,
           factor * spring.third_coefficient};
 }
 
