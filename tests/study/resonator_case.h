@@ -36,6 +36,8 @@ inline structure::Film make_strip(const std::string& group)
   film.material = make_elastomer();
   film.thickness = 1e-3;
   film.pre_stretch = {stretch_1, stretch_2};
+  // The lumped strips carry compression, too.
+  film.tension_field = false;
   return film;
 }
 
