@@ -337,6 +337,9 @@ void FilmRun::finish(const Clock::time_point began)
   summary_.columns = rows_.make_columns();
   summary_.balance_absolute = rows_.balance_absolute();
   summary_.balance_relative = rows_.balance_relative();
+  // A path through equilibria has no time in which work could be summed.
+  if (case_.procedure.analysis == Analysis::equilibrium)
+    summary_.balance_absolute = summary_.balance_relative = std::nan("");
   summary_.counters.insert(rest_shape_.begin(), rest_shape_.end());
   summary_.counters["unknowns"] = system_->structure().n_free_global();
   summary_.timings["run"] =
