@@ -49,13 +49,21 @@ void append(const fe::NodalVector& nodal, const fe::LocalNode node,
     values.push_back(fe::entry(nodal, 3 * node + c));
 }
 
-std::vector<double> get_bar_values(const fe::Nodes& nodes,
-                                   const fe::NodalVector& nodal)
+/// The nodes of bars, frames and rigid bodies, which every rank sees.
+std::vector<fe::LocalNode> get_extra_nodes(const fe::Nodes& nodes)
+{
+  std::vector<fe::LocalNode> extra;
+  for (auto node = nodes.first_extra; node < nodes.n_global; ++node)
+    extra.push_back(nodes.local(node));
+  return extra;
+}
+
+std::vector<double> get_extra_values(const fe::Nodes& nodes,
+                                     const fe::NodalVector& nodal)
 {
   std::vector<double> values;
-  for (const fe::Bar& bar : nodes.bars)
-    for (const fe::LocalNode node : {bar.centre, bar.director})
-      append(nodal, node, values);
+  for (const fe::LocalNode node : get_extra_nodes(nodes))
+    append(nodal, node, values);
   return values;
 }
 
@@ -149,10 +157,10 @@ std::vector<const CellState*> find_cells(const StoredRun& run,
   return own;
 }
 
-/// The free unknowns of this rank from nodal values of cells and bars.
+/// The free unknowns of this rank from nodal values of cells and extra nodes.
 std::vector<double> restore_unknowns(const std::vector<const CellState*>& own,
                                      std::vector<double> CellState::*values,
-                                     const std::vector<double>& bar_values,
+                                     const std::vector<double>& extra_values,
                                      const Structure& structure)
 {
   const fe::Nodes& nodes = structure.nodes();
@@ -160,10 +168,7 @@ std::vector<double> restore_unknowns(const std::vector<const CellState*>& own,
   for (std::size_t i = 0; i < own.size(); ++i)
     set_owned(nodes, structure.cells().cells()[i].nodes, own[i]->*values,
               nodal);
-  std::vector<fe::LocalNode> of_bars;
-  for (const fe::Bar& bar : nodes.bars)
-    of_bars.insert(of_bars.end(), {bar.centre, bar.director});
-  set_owned(nodes, of_bars, bar_values, nodal);
+  set_owned(nodes, get_extra_nodes(nodes), extra_values, nodal);
   std::vector<double> free(structure.n_free());
   structure.restrict(nodal, free.data());
   return free;
@@ -189,13 +194,13 @@ StoredRun collect_run(const CriticalParameters& parameters,
   run.parameters = parameters;
   run.mesh_checksum = compute_checksum(structure.mesh());
   const auto displacements = spread(structure, state);
-  run.bar_displacements = get_bar_values(structure.nodes(), displacements);
+  run.extra_displacements = get_extra_values(structure.nodes(), displacements);
   fe::NodalVector velocities;
   const bool has_velocities = system.velocities(state) != nullptr;
   if (has_velocities)
   {
     velocities = spread(structure, system.velocities(state));
-    run.bar_velocities = get_bar_values(structure.nodes(), velocities);
+    run.extra_velocities = get_extra_values(structure.nodes(), velocities);
   }
   run.cells = gather_cells(structure, displacements,
                            has_velocities ? &velocities : nullptr,
@@ -244,10 +249,10 @@ study::Checkpoint restore_state(const StoredRun& run,
   const auto add = [&](const std::vector<double>& part)
   { state.insert(state.end(), part.begin(), part.end()); };
   const auto own = find_cells(run, structure);
-  add(restore_unknowns(own, &CellState::displacements, run.bar_displacements,
+  add(restore_unknowns(own, &CellState::displacements, run.extra_displacements,
                        structure));
   if (!run.cells.front().velocities.empty())
-    add(restore_unknowns(own, &CellState::velocities, run.bar_velocities,
+    add(restore_unknowns(own, &CellState::velocities, run.extra_velocities,
                          structure));
   for (unsigned int i = 0; i < own.size(); ++i)
   {

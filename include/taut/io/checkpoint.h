@@ -44,8 +44,8 @@ struct StoredRun
   CriticalParameters parameters;
   std::uint32_t mesh_checksum = 0;
   std::vector<CellState> cells; ///< in the order of their addresses
-  /// Of centre and director of every bar, like CellState's.
-  std::vector<double> bar_displacements, bar_velocities;
+  /// Of the nodes of bars, frames and rigid bodies, like CellState's.
+  std::vector<double> extra_displacements, extra_velocities;
   std::vector<double> scalars;
 
   template <typename Archive>
@@ -56,7 +56,7 @@ struct StoredRun
     archive& progress.initial_energy& progress.balance_absolute;
     archive& progress.balance_scale;
     archive& parameters& mesh_checksum& cells;
-    archive& bar_displacements& bar_velocities& scalars;
+    archive& extra_displacements& extra_velocities& scalars;
   }
 };
 
