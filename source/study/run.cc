@@ -289,7 +289,8 @@ void FilmRun::follow_path()
   observe_path(procedure.start_time, state_.data(), margins);
   std::vector<double> u(state_.begin(),
                         state_.begin() + system_->structure().n_free());
-  // Load steps end at the kinks of the signals, too.
+  // Load steps end at the kinks of the signals and where a row is asked for,
+  // too.
   std::set<double> ends{procedure.end_time};
   const double length = procedure.end_time - procedure.start_time;
   for (unsigned int i = 1; i < procedure.load_steps; ++i)
@@ -297,6 +298,11 @@ void FilmRun::follow_path()
   for (const double kink :
        system_->stop_times(procedure.start_time, procedure.end_time))
     ends.insert(kink);
+  for (const auto* times :
+       {&case_.output.history_times, &case_.output.field_times})
+    for (const double time : *times)
+      if (time > procedure.start_time && time < procedure.end_time)
+        ends.insert(time);
   time::PathOptions options;
   options.newton.tolerance = procedure.newton_tolerance;
   time::EquilibriumStatistics total;
