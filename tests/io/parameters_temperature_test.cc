@@ -62,6 +62,7 @@ TEST(TemperatureCase, WidthIsHeldByFibresAndFlow)
   EXPECT_EQ(plain.material.networks[0].flow, material::FlowLaw::isotropic);
   const auto held =
       read_case(disk.file(), {"Film left/Fibre modulus = 2e6",
+                              "Film left/Tension field = false",
                               "Material rubber/Network slow/Flow = held width"})
           .device.films[0];
   EXPECT_EQ(held.fibre_modulus, 2e6);

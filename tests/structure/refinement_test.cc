@@ -21,6 +21,8 @@ structure::Device make_device()
   device.mesh.degree = 2;
   device.films = {
       testing::make_film(material::NeoHookean{2e4}, 1e-3, {{1.2, 1.2}})};
+  // Newton's method finds its way more easily while corners carry compression.
+  device.films[0].tension_field = false;
   device.supports = {testing::make_support("west", {{true, true, true}})};
   structure::EdgeLoad load;
   load.name = "pull";
