@@ -189,6 +189,8 @@ private:
     }
     summary.timings["total"] =
         std::chrono::duration<double>(Clock::now() - began_).count();
+    for (const std::string& note : summary.notes)
+      output.say("note: " + note);
     output.finish(summary);
     return get_exit_code(summary.status);
   }

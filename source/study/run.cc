@@ -9,6 +9,7 @@
 #include <cmath>
 #include <set>
 
+#include "run_notes.h"
 #include "run_rest_shape.h"
 
 namespace taut::study
@@ -127,6 +128,9 @@ void FilmRun::start(const std::optional<Checkpoint>& resume)
                                          procedure.shape == Shape::equilibrium,
                                          options);
   }
+  for (const std::string& note :
+       make_start_notes(*system_, procedure.start_time, state_.data()))
+    summary_.notes.push_back(note);
   rows_.begin(procedure.start_time, state_.data());
 }
 

@@ -55,6 +55,16 @@ class Run(AppTest):
         self.assertEqual(self.read_summary(folder)["time_reached"], 0.01)
         self.assertFalse((self.folder / folder / "fields.pvd").exists())
 
+    def test_film_compressed_at_the_start_is_noted(self):
+        self.run_case(0, "--set", "Procedure/End time = 0.001")
+        self.assertEqual(self.read_summary()["notes"], [])
+        self.run_case(0, "--overwrite",
+                      "--set", "Procedure/End time = 0.001",
+                      "--set", "Procedure/Start shape = meshed",
+                      "--set", "Film passive/Pre-stretch = 2, 0.5")
+        [note] = self.read_summary()["notes"]
+        self.assertIn("compression", note)
+
     def test_fatal_event(self):
         self.run_case(4, "--set", "Event far/Fatal = true")
         summary = self.read_summary()
