@@ -1,4 +1,5 @@
 #include <taut/base/exceptions.h>
+#include <taut/base/nearest_name.h>
 #include <taut/fe/vector3.h>
 #include <taut/structure/device_nodes.h>
 #include <taut/structure/frame_nodes.h>
@@ -18,6 +19,24 @@ using DoFHandler = dealii::DoFHandler<2, 3>;
                          const std::string& message)
 {
   throw BadInput(message, "", entry.source_line, kind + " " + entry.name);
+}
+
+/// Refuses groups of points and lines that the mesh does not have.
+void check_groups(const std::vector<std::string>& groups,
+                  const std::string& kind, const Named& entry,
+                  const fe::MeshData& mesh)
+{
+  for (const auto& group : groups)
+  {
+    if (mesh.groups.has(0, group) || mesh.groups.has(1, group))
+      continue;
+    auto names = mesh.groups.get_names(0);
+    for (const auto& name : mesh.groups.get_names(1))
+      names.push_back(name);
+    refuse(kind, entry,
+           "the mesh has no point or line '" + group + "'; " +
+               suggest(group, names));
+  }
 }
 
 Coordinates add(const Coordinates& a, const Coordinates& b,
@@ -120,6 +139,7 @@ void Builder::find_frames()
       frames_at_[place].insert(edge.frame);
   for (const auto& hinge : device_.hinges)
   {
+    check_groups(hinge.groups, "Hinge", hinge, mesh_);
     const auto places = find_group_places(hinge.groups, result_.mesh, mesh_);
     for (const auto place : places)
       if (frames_at_[place].size() < 2)
@@ -133,6 +153,7 @@ void Builder::find_frames()
 void Builder::add_body(const unsigned int body)
 {
   const RigidBody& description = device_.bodies[body];
+  check_groups(description.groups, "Rigid body", description, mesh_);
   const auto places =
       find_group_places(description.groups, result_.mesh, mesh_);
   const auto film =
@@ -179,6 +200,7 @@ void Builder::find_attached()
     std::set<unsigned int> at;
     if (frame.attachment == Frame::Attachment::at)
     {
+      check_groups(frame.attached_at, "Frame", frame, mesh_);
       at = find_group_places(frame.attached_at, result_.mesh, mesh_);
       bool any = false;
       for (const auto place : at)

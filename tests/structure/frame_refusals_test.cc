@@ -44,6 +44,14 @@ TEST(FrameRefusals, NameTheEntryAndWhatIsWrong)
   expect_contains(refuse(
                       [](auto& device)
                       {
+                        device.frames[0].attachment =
+                            structure::Frame::Attachment::at;
+                        device.frames[0].attached_at = {"middels"};
+                      }),
+                  "did you mean 'middles'");
+  expect_contains(refuse(
+                      [](auto& device)
+                      {
                         structure::Hinge hinge;
                         hinge.name = "elbow";
                         hinge.groups = {"middles"};
