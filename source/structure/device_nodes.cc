@@ -197,6 +197,26 @@ void add_hanging_nodes(const DoFHandler& dof_handler, fe::Nodes& nodes,
   }
 }
 
+/// Refuses frames whose film is refined on one side only: a beam cannot follow
+/// a node that lies between others.
+void refuse_hanging_frames(const Device& device, const FrameNodes& frames,
+                           const fe::Nodes& nodes)
+{
+  std::set<fe::GlobalNode> hanging;
+  for (const auto& node : nodes.hanging)
+    hanging.insert(nodes.global(node.node));
+  int wrong = -1;
+  for (const auto& node : frames.nodes)
+    if (hanging.count(node.position) > 0)
+      wrong = node.rotations.begin()->first;
+  wrong = dealii::Utilities::MPI::max(
+      wrong, nodes.partitioner->get_mpi_communicator());
+  if (wrong >= 0)
+    refuse(device.frames[wrong],
+           "the film is refined on one side of the frame only: refine both "
+           "sides, or all cells by Mesh/Refinements");
+}
+
 void add_bar_nodes(const std::vector<int>& bar_of, fe::Nodes& nodes)
 {
   for (fe::LocalNode node = 0; node < nodes.n_local; ++node)
@@ -239,6 +259,9 @@ DeviceNodes make_device_nodes(const Device& device, const fe::MeshData& mesh,
       if (bar >= 0)
         refuse(device.bars[b],
                "it shares a node with the bar '" + device.bars[bar].name + "'");
+      if (nodes.dependent[nodes.local(node)])
+        refuse(device.bars[b], "it shares a node with a frame or rigid body "
+                               "that moves the film on an arm");
       bar = b;
     }
   }
@@ -250,6 +273,7 @@ DeviceNodes make_device_nodes(const Device& device, const fe::MeshData& mesh,
   synchronise(nodes, bar_of);
   add_bar_nodes(bar_of, nodes);
   add_hanging_nodes(dof_handler, nodes, bar_of);
+  refuse_hanging_frames(device, result.frames, nodes);
   for (unsigned int b = 0; b < device.bars.size(); ++b)
   {
     auto fixed = device.bars[b].free;

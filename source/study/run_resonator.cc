@@ -1,12 +1,10 @@
-#include <taut/base/exceptions.h>
 #include <taut/study/lumped_case.h>
-#include <taut/study/output_times.h>
 #include <taut/study/run_resonator.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <optional>
+
+#include "run_lumped.h"
 
 namespace taut::study
 {
@@ -78,31 +76,15 @@ void report(const Case& run_case, const lumped::ResonatorRun& run,
 
 RunSummary run_resonator(const Case& run_case, RunOutput& output)
 {
-  const auto start = std::chrono::steady_clock::now();
-  const auto& procedure = run_case.procedure;
-  RunSummary summary;
-  std::optional<lumped::ResonatorRun> run;
-  try
-  {
-    run = run_lumped(run_case.lumped_resonator, procedure,
-                     make_output_times(procedure,
-                                       run_case.output.history_intervals,
-                                       run_case.output.history_times));
-  }
-  catch (const SolverFailed& failure)
-  {
-    summary.status = Status::failed;
-    summary.reason = failure.what();
-    summary.time_reached = procedure.start_time;
-  }
-  for (const LumpedColumn& column : get_lumped_columns())
-    summary.columns.push_back(column.column);
-  output.begin(summary.columns);
-  if (run)
-    report(run_case, *run, output, summary);
-  summary.timings["total"] =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-          .count();
-  return summary;
+  std::vector<Column> columns;
+  for (const auto& column : get_lumped_columns())
+    columns.push_back(column.column);
+  return run_lumped_model(
+      run_case, columns, output,
+      [&](const std::vector<double>& times) {
+        return run_lumped(run_case.lumped_resonator, run_case.procedure, times);
+      },
+      [&](const auto& run, RunSummary& summary)
+      { report(run_case, run, output, summary); });
 }
 } // namespace taut::study

@@ -81,6 +81,24 @@ TEST(FrameRefusals, NameTheEntryAndWhatIsWrong)
                   "no group 'nowhere'");
 }
 
+TEST(FrameRefusals, AFilmRefinedOnOneSideOfAFrame)
+{
+  structure::Device device;
+  device.films = {make_film(material::NeoHookean{2e4}, 1e-3, {{1.2, 1.2}})};
+  device.frames = {
+      make_frame("middle", make_stiffnesses(1e3, 1e3, 1e-3, 1e-3, 1e-3))};
+  const auto mesh = make_rectangle(4, 4, 2, .04, .04);
+  const auto refine_left = [](fe::Triangulation& triangulation)
+  {
+    for (const auto& cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->center()[0] < .02)
+        cell->set_refine_flag();
+    triangulation.execute_coarsening_and_refinement();
+  };
+  EXPECT_NO_THROW(Model(device, mesh));
+  EXPECT_THROW(Model(device, mesh, 0, refine_left), BadInput);
+}
+
 TEST(FrameRefusals, AFrameOfTwoNamesOnOneLine)
 {
   const auto message = refuse(

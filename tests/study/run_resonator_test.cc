@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "study/lumped_records.h"
+
 namespace taut::study
 {
 namespace
@@ -51,56 +53,7 @@ Case make_swing()
   return result;
 }
 
-/// Keeps what a run writes.
-class Records : public RunOutput
-{
-public:
-  void begin(const std::vector<Column>& all) override
-  {
-    columns = all;
-  }
-  void write_row(const std::vector<double>& row) override
-  {
-    rows.push_back(row);
-  }
-  void write_event(const EventRecord& event) override
-  {
-    events.push_back(event);
-  }
-  void write_fields(double, structure::StructureSystem&, const double*) override
-  {
-    FAIL() << "a lumped model has no fields";
-  }
-  void write_checkpoint(const RunProgress&, structure::StructureSystem&,
-                        const double*) override
-  {
-    FAIL() << "a lumped model has no checkpoints";
-  }
-  void report_step(const time::Step&, const time::IntegratorStatistics&,
-                   double) override
-  {
-  }
-  bool wants_checkpoint() override
-  {
-    return false;
-  }
-  bool interrupted() override
-  {
-    return false;
-  }
-
-  double get(const std::size_t row, const std::string& name) const
-  {
-    const auto column =
-        std::find_if(columns.begin(), columns.end(),
-                     [&](const Column& other) { return other.name == name; });
-    return rows.at(row).at(column - columns.begin());
-  }
-
-  std::vector<Column> columns;
-  std::vector<std::vector<double>> rows;
-  std::vector<EventRecord> events;
-};
+using lumped_records::Records;
 
 TEST(RunResonator, RowsAreInSiUnits)
 {

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <taut/base/exceptions.h>
+#include <taut/study/output_times.h>
+#include <taut/study/run.h>
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+namespace taut::study
+{
+/// Runs a lumped model at the output times of a case: `compute`(times) gives
+/// its run, `report`(run, summary) writes it to `output`. A failure of the
+/// solver is in the summary.
+template <typename Compute, typename Report>
+RunSummary run_lumped_model(const Case& run_case,
+                            const std::vector<Column>& columns,
+                            RunOutput& output, const Compute& compute,
+                            const Report& report)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const auto times =
+      make_output_times(run_case.procedure, run_case.output.history_intervals,
+                        run_case.output.history_times);
+  RunSummary summary;
+  std::optional<decltype(compute(times))> run;
+  try
+  {
+    run = compute(times);
+  }
+  catch (const SolverFailed& failure)
+  {
+    summary.status = Status::failed;
+    summary.reason = failure.what();
+    summary.time_reached = run_case.procedure.start_time;
+  }
+  summary.columns = columns;
+  output.begin(columns);
+  if (run)
+    report(*run, summary);
+  summary.timings["total"] =
+      std::chrono::duration<double>(Clock::now() - start).count();
+  return summary;
+}
+} // namespace taut::study
