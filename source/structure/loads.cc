@@ -26,10 +26,18 @@ LoadHistory::LoadHistory(const Device& device)
                      [](const EdgeLoad& e) { return e.force; })),
       amplitudes_(collect(device.supports,
                           [](const Support& s) { return s.amplitude; })),
+      charges_(collect(device.electrodes,
+                       [](const Electrode& e) { return e.charge; })),
+      pre_stretch_shares_(collect(device.films, [](const Film& f)
+                                  { return f.pre_stretch_share; })),
       film_temperatures_(
           collect(device.films, [](const Film& f) { return f.temperature; })),
       frame_temperatures_(
           collect(device.frames, [](const Frame& f) { return f.temperature; })),
+      film_humidities_(
+          collect(device.films, [](const Film& f) { return f.humidity; })),
+      frame_humidities_(
+          collect(device.frames, [](const Frame& f) { return f.humidity; })),
       point_forces_(collect(device.point_loads,
                             [](const PointLoad& l) { return l.force; })),
       point_moments_(collect(device.point_loads,
@@ -43,8 +51,10 @@ template <typename Function>
 void LoadHistory::for_each_signal(const Function& function) const
 {
   for (const auto* list :
-       {&voltages_, &pressures_, &edges_, &amplitudes_, &film_temperatures_,
-        &frame_temperatures_, &point_forces_, &point_moments_})
+       {&voltages_, &charges_, &pressures_, &edges_, &amplitudes_,
+        &film_temperatures_, &frame_temperatures_, &film_humidities_,
+        &frame_humidities_, &pre_stretch_shares_, &point_forces_,
+        &point_moments_})
     for (const auto& signal : *list)
       function(signal);
 }
@@ -82,6 +92,7 @@ LoadState LoadHistory::at(const double time) const
     }
   };
   fill(voltages_, state.voltages, state.voltage_rates);
+  fill(charges_, state.charges, state.charge_rates);
   fill(pressures_, state.pressures, state.pressure_rates);
   fill(edges_, state.edge_forces, state.edge_rates);
   fill(amplitudes_, state.amplitudes, state.amplitude_rates);
@@ -89,7 +100,11 @@ LoadState LoadHistory::at(const double time) const
        state.film_temperature_rates);
   fill(frame_temperatures_, state.frame_temperatures,
        state.frame_temperature_rates);
+  fill(film_humidities_, state.film_humidities, state.film_humidity_rates);
+  fill(frame_humidities_, state.frame_humidities, state.frame_humidity_rates);
   fill(point_forces_, state.point_forces, state.point_force_rates);
+  for (const auto& signal : pre_stretch_shares_)
+    state.pre_stretch_shares.push_back(read(signal, time));
   for (const auto& signal : point_moments_)
     state.point_moments.push_back(read(signal, time));
   for (const auto& signal : amplitudes_)

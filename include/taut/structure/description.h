@@ -54,8 +54,13 @@ struct Film : Named
   /// Direction of the first pre-stretch and first material axis, projected
   /// into the film's plane; dimensionless, any length.
   std::array<double, 3> axis{{1, 0, 0}};
+  /// Of the way from 1 to `pre_stretch`, for static paths that stretch the film
+  /// in its frame: the pre-stretches are 1 + share (pre_stretch - 1).
+  Signal pre_stretch_share = Signal::constant(1);
   /// Temperature (K), uniform.
   Signal temperature = Signal::constant(293.15);
+  /// Relative humidity of the air, 0 to 1, uniform.
+  Signal humidity = Signal::constant(0);
   material::ThermalLaws thermal;
   /// In compression the film wrinkles or goes slack instead of carrying it.
   bool tension_field = true;
@@ -66,10 +71,23 @@ struct Film : Named
 
 struct Electrode : Named
 {
+  enum class Control
+  {
+    voltage, ///< the source holds the voltage between the faces
+    charge,  ///< the charge is given, the voltage follows
+    circuit  ///< a voltage source behind a resistor, and a film that leaks
+  };
   /// Physical surfaces.
   std::vector<std::string> groups;
-  /// Voltage (V) between the two faces.
+  Control control = Control::voltage;
+  /// Voltage (V) between the two faces; in a circuit that of the source.
   Signal voltage;
+  /// Charge (C) of the face at the higher potential, if it is controlled.
+  Signal charge;
+  /// Between source and film (Ohm), in a circuit; positive.
+  double series_resistance = 0;
+  /// Through the film (Ohm), in a circuit.
+  double leakage_resistance = std::numeric_limits<double>::infinity();
 };
 
 /// Holds components of the position over points, lines or surfaces.
@@ -171,9 +189,12 @@ struct Frame : Named
   /// From the beam's axis to the film along `normal` (m). The mesh holds the
   /// film's place: the axis lies at - offset from it.
   double offset = 0;
-  /// Temperature (K) and the law of all stiffnesses.
+  /// Temperature (K), relative humidity (0 to 1) and the laws of all
+  /// stiffnesses.
   Signal temperature = Signal::constant(293.15);
+  Signal humidity = Signal::constant(0);
   material::TemperatureLaw modulus_law;
+  material::TemperatureLaw humidity_law;
   /// Rayleigh damping: forces mass_damping M v (1/s) and stresses
   /// stiffness_damping C strain rate (s, Kelvin-Voigt).
   double mass_damping = 0;
@@ -229,6 +250,7 @@ struct Probe : Named
     bar_rotation,         ///< of a bar's director, component of n - n_0
     voltage,              ///< of an electrode (V)
     charge,               ///< of an electrode (C)
+    current,              ///< into an electrode, dQ/dt and leakage (A)
     capacitance,          ///< of an electrode (F)
     reaction,             ///< of a support (N); static and quasi-static parts
     mean_stretch,         ///< of a film along component 0 or 1 of its axes
@@ -264,6 +286,9 @@ struct EventDescription : Named
     wrinkling,    ///< tension is lost in one direction
     slackness,    ///< tension is lost in both
     breakdown,    ///< true field above the strength of the film
+    pull_in,      ///< the film runs away into thickness, see Watches
+    snap_through, ///< the shape runs away to another, see Watches
+    self_contact, ///< frames touch each other or themselves
     probe_above,  ///< probe rises above threshold
     probe_below   ///< probe falls below threshold
   };
@@ -294,6 +319,7 @@ enum class Start
 enum class Analysis
 {
   equilibrium,  ///< static path through the signals' times
+  continuation, ///< static path that may turn back in the signals' time
   quasi_static, ///< viscous networks evolve, no inertia
   transient     ///< with inertia
 };

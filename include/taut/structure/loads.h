@@ -11,6 +11,7 @@ namespace taut::structure
 struct LoadState
 {
   std::vector<double> voltages, voltage_rates;         ///< (V)
+  std::vector<double> charges, charge_rates;           ///< (C)
   std::vector<double> pressures, pressure_rates;       ///< (Pa)
   std::vector<double> edge_forces, edge_rates;         ///< (N/m)
   std::vector<double> point_forces, point_force_rates; ///< (N)
@@ -18,6 +19,9 @@ struct LoadState
   std::vector<double> amplitudes, amplitude_rates, amplitude_second_rates;
   std::vector<double> film_temperatures, film_temperature_rates;   ///< (K)
   std::vector<double> frame_temperatures, frame_temperature_rates; ///< (K)
+  std::vector<double> film_humidities, film_humidity_rates;        ///< (0 to 1)
+  std::vector<double> frame_humidities, frame_humidity_rates;      ///< (0 to 1)
+  std::vector<double> pre_stretch_shares;                          ///< (0 to 1)
 };
 
 /// Reads the signals between two of their kinks as the smooth functions they
@@ -43,7 +47,9 @@ private:
   double inside(double time) const;
 
   std::vector<Signal> voltages_, pressures_, edges_, amplitudes_;
+  std::vector<Signal> charges_, pre_stretch_shares_;
   std::vector<Signal> film_temperatures_, frame_temperatures_;
+  std::vector<Signal> film_humidities_, frame_humidities_;
   std::vector<Signal> point_forces_, point_moments_;
   double start_;
   double end_;

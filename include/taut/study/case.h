@@ -57,10 +57,37 @@ struct RestShapeDescription
   bool both_branches = false;
 };
 
+/// How a continuation follows equilibria through limit points and
+/// bifurcations. All signals are read at the path's parameter, which runs from
+/// the start time towards the end time and may turn back; so a ramp of a force,
+/// voltage, charge, pressure, support or pre-stretch makes it the parameter.
+struct ContinuationDescription
+{
+  /// Steps to the end, were the path straight: sets the first step.
+  unsigned int steps = 20;
+  /// Longest step, relative to how far the path has come.
+  double largest_step = 0.1;
+  /// Number of converged points after which the path ends.
+  unsigned int most_points = 1000;
+  /// At a bifurcation: stay on the branch, or turn to the stable one.
+  enum class Branch
+  {
+    primary,
+    stable
+  };
+  Branch branch = Branch::primary;
+  /// To which side the path turns (dimensionless, any length).
+  std::array<double, 3> direction{{0, 0, 1}};
+  /// Returns to the start by load steps, along stable states, and so shows the
+  /// hysteresis.
+  bool backward = false;
+};
+
 struct ProcedureDescription
 {
   Shape shape = Shape::equilibrium;
   RestShapeDescription rest_shape;
+  ContinuationDescription continuation;
   structure::Analysis analysis = structure::Analysis::transient;
   structure::Start start = structure::Start::relaxed;
   double start_time = 0; ///< (s)
