@@ -39,6 +39,10 @@ function(taut_precompiled_header target)
     target_precompile_headers(taut_pch PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
   endif()
   target_precompile_headers(${target} REUSE_FROM taut_pch)
+  # Reading the precompiled header and instantiating deal.II's templates costs a
+  # source file more than its own code: compiled six at a time it costs a third.
+  set_target_properties(${target} PROPERTIES
+    UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
 endfunction()
 
 function(taut_add_layer name)

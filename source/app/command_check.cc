@@ -15,7 +15,7 @@ namespace taut::app
 {
 namespace
 {
-struct Arguments
+struct CheckArguments
 {
   std::string case_file;
   std::vector<std::string> overrides;
@@ -100,7 +100,7 @@ std::string describe_model(const study::Case& film_case,
   return text;
 }
 
-int check(const Arguments& arguments, const MPI_Comm communicator)
+int check(const CheckArguments& arguments, const MPI_Comm communicator)
 {
   const study::Case content =
       io::read_case(arguments.case_file, arguments.overrides);
@@ -117,7 +117,7 @@ void add_check(CLI::App& program, Action& chosen)
 {
   auto* command = program.add_subcommand(
       "check", "Read a case with its mesh, print what it is and run nothing");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CheckArguments>();
   command->add_option("CASE", arguments->case_file, "a .prm or .json")
       ->required();
   command->add_option("--set", arguments->overrides,

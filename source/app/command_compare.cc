@@ -18,7 +18,7 @@ namespace taut::app
 {
 namespace
 {
-struct Arguments
+struct CompareArguments
 {
   std::string case_file;
   std::string folder;
@@ -26,7 +26,7 @@ struct Arguments
   bool overwrite = false;
 };
 
-io::OutputFolder get_folder(const Arguments& arguments)
+io::OutputFolder get_comparison_folder(const CompareArguments& arguments)
 {
   namespace fs = std::filesystem;
   if (!arguments.folder.empty())
@@ -48,7 +48,7 @@ void write_files(const io::OutputFolder& folder, const Comparison& comparison,
                  : problem);
 }
 
-int get_exit_code(const study::Status status)
+int get_comparison_code(const study::Status status)
 {
   switch (status)
   {
@@ -106,7 +106,7 @@ struct DemesModels
 };
 
 template <class Models>
-int compare(const Arguments& arguments, const io::CaseFile& case_file,
+int compare(const CompareArguments& arguments, const io::CaseFile& case_file,
             const MPI_Comm communicator)
 {
   const study::Case& film_case = case_file.content;
@@ -115,7 +115,7 @@ int compare(const Arguments& arguments, const io::CaseFile& case_file,
   io::CaseFile observed = case_file;
   observed.content = models.make_observed(film_case);
   io::FilmModel model(observed.content, communicator);
-  const io::OutputFolder folder = get_folder(arguments);
+  const io::OutputFolder folder = get_comparison_folder(arguments);
   io::on_first_rank(communicator,
                     [&]
                     {
@@ -134,10 +134,10 @@ int compare(const Arguments& arguments, const io::CaseFile& case_file,
   output.say(io::describe_comparison(comparison));
   if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     write_files(folder, comparison, output);
-  return get_exit_code(comparison.film_summary.status);
+  return get_comparison_code(comparison.film_summary.status);
 }
 
-int compare(const Arguments& arguments, const MPI_Comm communicator)
+int compare(const CompareArguments& arguments, const MPI_Comm communicator)
 {
   const auto case_file =
       io::read_case_file(arguments.case_file, arguments.overrides);
@@ -156,7 +156,7 @@ void add_compare(CLI::App& program, Action& chosen)
   auto* command = program.add_subcommand(
       "compare", "Run a film case by finite elements and as a lumped model, "
                  "and show the differences");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CompareArguments>();
   command
       ->add_option("CASE", arguments->case_file,
                    "a .prm or .json with a section Comparison")

@@ -21,7 +21,7 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-struct Arguments
+struct RunArguments
 {
   std::string case_file;
   std::string folder;
@@ -30,14 +30,14 @@ struct Arguments
   bool overwrite = false;
 };
 
-io::FolderUse get_use(const Arguments& arguments)
+io::FolderUse get_use(const RunArguments& arguments)
 {
   if (arguments.resume)
     return io::FolderUse::resume;
   return arguments.overwrite ? io::FolderUse::replace : io::FolderUse::fresh;
 }
 
-io::OutputFolder get_folder(const Arguments& arguments)
+io::OutputFolder get_run_folder(const RunArguments& arguments)
 {
   namespace fs = std::filesystem;
   if (!arguments.folder.empty())
@@ -45,7 +45,7 @@ io::OutputFolder get_folder(const Arguments& arguments)
   return {"results/" + fs::path(arguments.case_file).stem().string()};
 }
 
-int get_exit_code(const study::Status status)
+int get_run_code(const study::Status status)
 {
   switch (status)
   {
@@ -73,9 +73,9 @@ study::RunSummary make_failed(const std::exception& error)
 class RunCommand
 {
 public:
-  RunCommand(const Arguments& arguments, const MPI_Comm communicator)
+  RunCommand(const RunArguments& arguments, const MPI_Comm communicator)
       : communicator_(communicator), began_(Clock::now()),
-        folder_(get_folder(arguments)), use_(get_use(arguments)),
+        folder_(get_run_folder(arguments)), use_(get_use(arguments)),
         case_file_(io::read_case_file(arguments.case_file, arguments.overrides))
   {
   }
@@ -192,7 +192,7 @@ private:
     for (const std::string& note : summary.notes)
       output.say("note: " + note);
     output.finish(summary);
-    return get_exit_code(summary.status);
+    return get_run_code(summary.status);
   }
 
   const MPI_Comm communicator_;
@@ -209,7 +209,7 @@ void add_run(CLI::App& program, Action& chosen)
 {
   auto* command =
       program.add_subcommand("run", "Run a case and write its results");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RunArguments>();
   command->add_option("CASE", arguments->case_file, "a .prm or .json")
       ->required();
   command->add_option("-o,--output", arguments->folder,

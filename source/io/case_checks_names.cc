@@ -227,8 +227,8 @@ void resolve_probe(const CaseText& text, const structure::Device& device,
   resolve_place(text, section, point, probe);
 }
 
-void check_event(const CaseText& text, const EventDescription& event,
-                 const structure::Device& device)
+void check_watched(const CaseText& text, const EventDescription& event,
+                   const structure::Device& device)
 {
   const SectionPath section = {"Event " + event.name};
   const bool of_probe = event.kind == EventDescription::Kind::probe_above ||
@@ -328,7 +328,7 @@ void resolve_names(const CaseText& text, CaseDraft& draft)
   for (std::size_t i = 0; i < device.probes.size(); ++i)
     resolve_probe(text, device, draft.probe_points[i], device.probes[i]);
   for (const EventDescription& event : device.events)
-    check_event(text, event, device);
+    check_watched(text, event, device);
   resolve_comparison(text, draft);
 }
 } // namespace taut::io

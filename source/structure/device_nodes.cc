@@ -1,4 +1,5 @@
 #include <taut/base/exceptions.h>
+#include <taut/fe/vector3.h>
 #include <taut/structure/device_nodes.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -15,11 +16,6 @@ namespace
 {
 using Vector3 = std::array<double, 3>;
 using DoFHandler = dealii::DoFHandler<2, 3>;
-
-double distance(const Vector3& a, const Vector3& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 /// Numbers the nodes: those of the film, then, on the last rank, those of the
 /// frames and two of each bar.
@@ -77,11 +73,6 @@ void number_nodes(const Device& device, const DoFHandler& dof_handler,
   }
 }
 
-[[noreturn]] void refuse(const Named& entry, const std::string& message)
-{
-  throw BadInput(message, "", entry.source_line, entry.name);
-}
-
 /// Centre and director of the bar, gathered over all ranks.
 fe::Bar make_bar(const RigidBar& description, const double length_stiffness,
                  const std::vector<fe::GlobalNode>& line, const MPI_Comm comm,
@@ -98,8 +89,10 @@ fe::Bar make_bar(const RigidBar& description, const double length_stiffness,
   const auto farthest_from = [&](const Vector3& from)
   {
     return *std::max_element(all.begin(), all.end(),
-                             [&](const Vector3& a, const Vector3& b)
-                             { return distance(a, from) < distance(b, from); });
+                             [&](const Vector3& a, const Vector3& b) {
+                               return fe::compute_distance(a, from) <
+                                      fe::compute_distance(b, from);
+                             });
   };
   Vector3 end = farthest_from(all.front());
   Vector3 begin = farthest_from(end);
@@ -107,7 +100,7 @@ fe::Bar make_bar(const RigidBar& description, const double length_stiffness,
   if (end < begin)
     std::swap(begin, end);
   fe::Bar bar;
-  bar.half_length = 0.5 * distance(begin, end);
+  bar.half_length = 0.5 * fe::compute_distance(begin, end);
   bar.centre = nodes.local(nodes.n_global - 2 * (index + 1));
   bar.director = bar.centre + 1;
   Vector3& centre = nodes.mesh_position[bar.centre];
@@ -123,9 +116,9 @@ fe::Bar make_bar(const RigidBar& description, const double length_stiffness,
         ((x[0] - centre[0]) * director[0] + (x[1] - centre[1]) * director[1] +
          (x[2] - centre[2]) * director[2]) /
         (bar.half_length * bar.half_length);
-    const double off =
-        distance(x, {centre[0] + s * director[0], centre[1] + s * director[1],
-                     centre[2] + s * director[2]});
+    const double off = fe::compute_distance(x, {centre[0] + s * director[0],
+                                                centre[1] + s * director[1],
+                                                centre[2] + s * director[2]});
     if (off > 1e-8 * bar.half_length)
       refuse(description, "a rigid bar must be a straight line; this one is " +
                               std::to_string(off) + " m off");

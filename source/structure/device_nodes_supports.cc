@@ -1,6 +1,7 @@
 #include "device_nodes_supports.h"
 
 #include <taut/base/exceptions.h>
+#include <taut/fe/vector3.h>
 
 #include <deal.II/base/function_parser.h>
 
@@ -13,16 +14,6 @@ namespace
 {
 using Vector3 = std::array<double, 3>;
 using DoFHandler = dealii::DoFHandler<2, 3>;
-
-[[noreturn]] void refuse(const Named& entry, const std::string& message)
-{
-  throw BadInput(message, "", entry.source_line, entry.name);
-}
-
-double distance(const Vector3& a, const Vector3& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 class ShapeFunctions
 {
@@ -70,7 +61,7 @@ void check_same_motion(const HeldComponent& first, const HeldComponent& second,
   const double b = get_shape(second, support.amplitude);
   // Round-off of an expression that vanishes here.
   const double tolerance =
-      1e-12 * std::max({std::abs(a), std::abs(b), distance(x, {})});
+      1e-12 * std::max({std::abs(a), std::abs(b), fe::compute_distance(x, {})});
   const bool rests = std::abs(a) <= tolerance && std::abs(b) <= tolerance;
   if (std::abs(a - b) > tolerance ||
       (!rests && support.amplitude.to_text() != other.amplitude.to_text()))
@@ -163,7 +154,8 @@ void apply_frame_support(const Support& support, const unsigned int index,
       const fe::LocalNode centre =
           nodes.local(frames.bodies[*frame_node.body].centre);
       if (turns && (support.held[0] || support.held[1] || support.held[2]) &&
-          distance(nodes.mesh_position[centre], nodes.mesh_position[node]) >
+          fe::compute_distance(nodes.mesh_position[centre],
+                               nodes.mesh_position[node]) >
               frames.mesh.tolerance)
         refuse(support, "it holds a point of the rigid body '" +
                             device.bodies[*frame_node.body].name +

@@ -1,5 +1,6 @@
 #include <taut/base/exceptions.h>
 #include <taut/fe/reference_element.h>
+#include <taut/fe/vector3.h>
 #include <taut/structure/frame_mesh.h>
 
 #include <algorithm>
@@ -26,11 +27,6 @@ struct RawEdge
     archive& frame& line_set& nodes;
   }
 };
-
-double distance(const Coordinates& a, const Coordinates& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 /// Set of line groups -> frame.
 std::map<unsigned int, unsigned int> map_lines(const Device& device,
@@ -195,7 +191,7 @@ std::optional<unsigned int> FrameMesh::find_place(const Coordinates& x) const
 {
   for (unsigned int i = 0; i < places.size(); ++i)
     if (std::abs(places[i][0] - x[0]) < tolerance &&
-        distance(places[i], x) < tolerance)
+        fe::compute_distance(places[i], x) < tolerance)
       return i;
   return std::nullopt;
 }

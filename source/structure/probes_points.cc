@@ -1,4 +1,5 @@
 #include <taut/base/exceptions.h>
+#include <taut/fe/vector3.h>
 #include <taut/structure/probes.h>
 
 #include <algorithm>
@@ -11,11 +12,6 @@ namespace
 {
 using Kind = Probe::Kind;
 using fe::Coordinates;
-
-double compute_distance(const Coordinates& a, const Coordinates& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 /// The values of all ranks together.
 Coordinates sum(const Coordinates& values, const MPI_Comm communicator)
@@ -93,7 +89,7 @@ Probes::Point Probes::find_node(const Probe& probe,
   fe::LocalNode node = 0;
   for (fe::LocalNode i = 0; i < nodes.n_owned; ++i)
   {
-    const double distance = compute_distance(nodes.mesh_position[i], place);
+    const double distance = fe::compute_distance(nodes.mesh_position[i], place);
     if (in_space[i] && distance < nearest)
     {
       nearest = distance;
@@ -139,7 +135,8 @@ double Probes::evaluate_point(const std::size_t probe,
     return get_vector(point, *velocities)[c];
   const Coordinates x = get_vector(point, positions);
   if (description.kind == Kind::distance)
-    return compute_distance(x, get_vector(points_[probe].back(), positions));
+    return fe::compute_distance(x,
+                                get_vector(points_[probe].back(), positions));
   return description.kind == Kind::position ? x[c]
                                             : x[c] - point.mesh_position[c];
 }

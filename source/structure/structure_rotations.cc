@@ -92,8 +92,8 @@ void Structure::turn_with_frames(const bool forward, double* vector) const
   {
     const Quaternion then = fe::get_quaternion(rotation, tangent_positions_);
     const Quaternion now = fe::get_quaternion(rotation, positions_);
-    const Quaternion turn = forward ? multiply(now, conjugate(then))
-                                    : multiply(then, conjugate(now));
+    const Quaternion turn = forward ? taut::multiply(now, conjugate(then))
+                                    : taut::multiply(then, conjugate(now));
     const double size = length(turn);
     return Quaternion{turn[0] / size, turn[1] / size, turn[2] / size,
                       turn[3] / size};
@@ -123,7 +123,8 @@ void Structure::turn_with_frames(const bool forward, double* vector) const
       {
         set_free_quaternion(
             rotation,
-            multiply(get_turn(rotation), get_free_quaternion(rotation, vector)),
+            taut::multiply(get_turn(rotation),
+                           get_free_quaternion(rotation, vector)),
             vector);
       });
 }

@@ -6,18 +6,14 @@
 #include <cmath>
 #include <variant>
 
+#include "resonator_equivalent_strip.h"
+
 namespace taut::study
 {
 namespace
 {
 using material::Gent;
 using structure::Film;
-
-[[noreturn]] void refuse(const Film& film, const std::string& file,
-                         const std::string& message)
-{
-  throw BadInput(message, file, film.source_line, "Film " + film.name);
-}
 
 /// Takes the common limit of all springs, which are Gent springs.
 const Gent& read_spring(const material::Spring& spring, const Film& film,

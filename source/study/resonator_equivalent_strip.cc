@@ -13,12 +13,6 @@ namespace
 {
 using fe::Coordinates;
 
-[[noreturn]] void refuse(const structure::Film& film, const std::string& file,
-                         const std::string& message)
-{
-  throw BadInput(message, file, film.source_line, "Film " + film.name);
-}
-
 std::set<unsigned int> find_ids(const unsigned int dimension,
                                 const std::vector<std::string>& groups,
                                 const fe::MeshData& mesh)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <taut/base/exceptions.h>
 #include <taut/fe/mesh_data.h>
 #include <taut/structure/description.h>
 
@@ -9,6 +10,14 @@
 
 namespace taut::study
 {
+/// Throws BadInput at the film's line in `file`.
+[[noreturn]] inline void refuse(const structure::Film& film,
+                                const std::string& file,
+                                const std::string& message)
+{
+  throw BadInput(message, file, film.source_line, "Film " + film.name);
+}
+
 /// A film that is a flat rectangle of the mesh with sides along coordinates.
 struct FilmStrip
 {

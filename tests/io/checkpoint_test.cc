@@ -16,6 +16,7 @@ namespace taut::io
 {
 namespace
 {
+using testing::is_first;
 using testing::SharedFolder;
 
 structure::Device make_device()
@@ -142,11 +143,6 @@ void expect_restored(const std::string& folder)
   EXPECT_EQ(checkpoint.progress.initial_energy, .25);
   EXPECT_EQ(checkpoint.progress.balance_absolute, 1e-9);
   EXPECT_EQ(checkpoint.progress.balance_scale, 2);
-}
-
-bool is_first()
-{
-  return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 }
 
 TEST(Checkpoint, RestoresTheState)

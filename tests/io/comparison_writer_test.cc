@@ -12,7 +12,7 @@ namespace taut::io
 {
 namespace
 {
-study::Comparison make_comparison()
+study::Comparison make_small_comparison()
 {
   study::Comparison comparison;
   comparison.times = {0, 0.5, 1};
@@ -37,7 +37,7 @@ study::Comparison make_comparison()
 TEST(ComparisonWriter, JsonKeepsTheContract)
 {
   const auto json =
-      nlohmann::json::parse(make_comparison_json(make_comparison()));
+      nlohmann::json::parse(make_comparison_json(make_small_comparison()));
   ASSERT_EQ(json.at("quantities").size(), 1u);
   const auto& quantity = json.at("quantities")[0];
   EXPECT_EQ(quantity.at("name"), "charge");
@@ -61,7 +61,7 @@ TEST(ComparisonWriter, TableLeavesEmptyWhatAModelLacks)
 {
   const testing::SharedFolder folder("comparison");
   const std::string file = folder.get("compare.csv");
-  write_comparison_table(file, make_comparison());
+  write_comparison_table(file, make_small_comparison());
   EXPECT_EQ(read_file(file),
             "time [s],voltage [V],charge film [C],charge lumped [C]\n"
             "0,0,0,0\n"
@@ -71,7 +71,7 @@ TEST(ComparisonWriter, TableLeavesEmptyWhatAModelLacks)
 
 TEST(ComparisonWriter, DescriptionNamesQuantitiesAndFailures)
 {
-  const std::string text = describe_comparison(make_comparison());
+  const std::string text = describe_comparison(make_small_comparison());
   for (const char* part :
        {"charge", "5.00e-01", "2.50e-01", "breakdown in active", "lumped",
         "does not fail", "the air drags"})

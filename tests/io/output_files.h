@@ -3,6 +3,8 @@
 
 #include <taut/io/first_rank.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <unistd.h>
 
 #include <filesystem>
@@ -10,6 +12,11 @@
 
 namespace taut::io::testing
 {
+inline bool is_first()
+{
+  return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+}
+
 /// Vanishes with the object. Collective.
 class SharedFolder
 {

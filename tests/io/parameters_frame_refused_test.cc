@@ -20,7 +20,7 @@ TEST_P(BadFrame, IsRefusedWithFileLineAndKey)
   testing::expect_refused(frame_case, GetParam());
 }
 
-const Refusal values[] = {
+const Refusal frame_values[] = {
     {"no thickness", "Thickness = 0.8e-3", "Thickness = 0", "Thickness = 0\n",
      "Frame legs/Thickness", "above 0"},
     {"negative thickness", "Thickness = 0.8e-3", "Thickness = -1e-3", "-1e-3",
@@ -68,9 +68,9 @@ const Refusal values[] = {
      "set First", "Procedure/Rest shape/First stiffness", "from 1"},
     {"unknown shape", "Start shape = rest", "Start shape = curled",
      "set Start shape", "Procedure/Start shape", "equilibrium"}};
-INSTANTIATE_TEST_SUITE_P(Values, BadFrame, ::testing::ValuesIn(values));
+INSTANTIATE_TEST_SUITE_P(Values, BadFrame, ::testing::ValuesIn(frame_values));
 
-const Refusal relations[] = {
+const Refusal frame_relations[] = {
     {"attachment without place", "  set Attached at = corner_left, bar_right\n",
      "", "subsection Frame legs", "Frame legs/Attached at",
      "needs the points or lines"},
@@ -153,7 +153,8 @@ const Refusal relations[] = {
      "subsection Probe turn", "Probe turn/Point", "Of for a group"},
     {"rest shape without side", "Direction = 0, 0, -1", "Direction = 0, 0, 0",
      "set Direction = 0, 0, 0", "Procedure/Rest shape/Direction", "no length"}};
-INSTANTIATE_TEST_SUITE_P(Relations, BadFrame, ::testing::ValuesIn(relations));
+INSTANTIATE_TEST_SUITE_P(Relations, BadFrame,
+                         ::testing::ValuesIn(frame_relations));
 
 class BadFreeFrame : public ::testing::TestWithParam<Refusal>
 {

@@ -23,11 +23,6 @@ using boost::property_tree::ptree;
 /// below .1 m.
 constexpr double round_off = 1e-8;
 
-inline bool is_first()
-{
-  return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-}
-
 inline ptree read_xml(const std::string& file)
 {
   ptree tree;

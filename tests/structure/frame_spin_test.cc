@@ -11,7 +11,6 @@ namespace taut::testing
 {
 namespace
 {
-constexpr double pi = boost::math::constants::pi<double>();
 const std::array<double, 3> inertia{{1, 2, 3}};
 
 /// A rigid body with three moments of inertia around a stub of a beam, free.
@@ -154,7 +153,7 @@ TEST(SpinningBeam, TurnsMoreThanTwiceAndTakesInTheWorkOfItsMoment)
             observer);
   // A rigid bar turns by m t^2/(2 J), J = 1/3 + 1e-3; the beam swings around
   // that by its flexibility.
-  EXPECT_GT(angle, 4 * pi);
+  EXPECT_GT(angle, 4 * boost::math::constants::pi<double>());
   EXPECT_NEAR(angle, .5 * moment * end * end / (1. / 3 + 1e-3), .1);
   const double energy = system.compute_energies(end, state.data()).total();
   EXPECT_NEAR(energy, moment * angle, 1e-4 * energy);

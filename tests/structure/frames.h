@@ -89,6 +89,10 @@ make_stiffnesses(const double axial, const double shear, const double torsion,
   return section;
 }
 
+/// Nearly inextensible and unshearable, EI = 1.
+inline const structure::BeamSection slender_beam =
+    make_stiffnesses(1e8, 1e8, 1, 1, 1);
+
 inline structure::Support make_clamp(const std::string& group)
 {
   structure::Support support = make_support(group, {{true, true, true}});

@@ -16,7 +16,7 @@ namespace
 {
 const double permittivity = 4.7 * lumped::vacuum_permittivity;
 
-Case make_case()
+Case make_resonator_case()
 {
   Case result;
   result.model = "resonator";
@@ -44,7 +44,7 @@ Case make_case()
 
 Case make_swing()
 {
-  Case result = make_case();
+  Case result = make_resonator_case();
   result.lumped_resonator.voltage = Signal::steps({0, 0.01}, {0, 1000});
   result.procedure.analysis = structure::Analysis::transient;
   result.procedure.start = structure::Start::relaxed;
@@ -57,7 +57,7 @@ using lumped_records::Records;
 
 TEST(RunResonator, RowsAreInSiUnits)
 {
-  const Case run_case = make_case();
+  const Case run_case = make_resonator_case();
   const auto& device = run_case.lumped_resonator;
   Records records;
   const auto summary = run_resonator(run_case, records);
@@ -96,7 +96,7 @@ TEST(RunResonator, RowsAreInSiUnits)
 TEST(RunResonator, RowsComeAtTheTimesAskedFor)
 {
   Records records;
-  run_resonator(make_case(), records);
+  run_resonator(make_resonator_case(), records);
   EXPECT_EQ(records.get(0, "time"), 0);
   EXPECT_EQ(records.get(1, "time"), 0.1);
   EXPECT_EQ(records.get(2, "time"), 0.123);
@@ -106,7 +106,7 @@ TEST(RunResonator, RowsComeAtTheTimesAskedFor)
 TEST(RunResonator, LossOfTensionEndsTheRun)
 {
   Records records;
-  const auto summary = run_resonator(make_case(), records);
+  const auto summary = run_resonator(make_resonator_case(), records);
   EXPECT_EQ(summary.status, Status::event);
   ASSERT_EQ(records.events.size(), 1u);
   const EventRecord& event = records.events[0];
@@ -125,7 +125,7 @@ TEST(RunResonator, LossOfTensionEndsTheRun)
 
 TEST(RunResonator, BreakdownEndsTheRun)
 {
-  Case weak = make_case();
+  Case weak = make_resonator_case();
   weak.lumped_resonator.breakdown_strength = 20e6;
   Records records;
   EXPECT_EQ(run_resonator(weak, records).status, Status::event);
@@ -173,7 +173,7 @@ TEST(RunResonator, BalancesItsEnergy)
 
 TEST(RunResonator, RefusesAnEquilibriumBeforeAnythingIsWritten)
 {
-  Case still = make_case();
+  Case still = make_resonator_case();
   still.procedure.analysis = structure::Analysis::equilibrium;
   Records records;
   EXPECT_THROW(run_resonator(still, records), BadInput);
@@ -182,7 +182,7 @@ TEST(RunResonator, RefusesAnEquilibriumBeforeAnythingIsWritten)
 
 TEST(RunResonator, ReadsSharesAndRates)
 {
-  Case uneven = make_case();
+  Case uneven = make_resonator_case();
   uneven.lumped_resonator.network_shares = {0.1, 0.15, 0.25};
   uneven.lumped_resonator.relaxation_is_rate = true;
   const auto resonator =
