@@ -107,11 +107,14 @@ void Structure::add_bar_forces(fe::NodalVector& forces) const
 
 void Structure::set_dead_forces(const LoadState& loads)
 {
-  dead_forces_ = weight_;
+  // Entry by entry: an assignment of vectors leaves the shares at ghosts out.
   for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
+  {
+    double& force = fe::entry(dead_forces_, i);
+    force = fe::entry(weight_, i);
     for (unsigned int k = 0; k < edges_.size(); ++k)
-      fe::entry(dead_forces_, i) +=
-          loads.edge_forces[k] * fe::entry(edges_[k], i);
+      force += loads.edge_forces[k] * fe::entry(edges_[k], i);
+  }
   point_forces_->add_forces(loads, positions_, true, false, dead_forces_);
   if (rest_load_ != std::array<double, 3>{})
     frames_->add_line_load(rest_load_, dead_forces_);
