@@ -221,6 +221,7 @@ FilmEnergy compute_energy(const FilmCells& cells,
 {
   Buffer x(cells.nodal_size()), A(cells.internal_size());
   FilmEnergy sum;
+  sum.electric.assign(cells.slots().size(), 0.);
   for (unsigned int batch = 0; batch < cells.batches().size(); ++batch)
   {
     const FilmBatch& members = cells.batches()[batch];
@@ -233,6 +234,8 @@ FilmEnergy compute_energy(const FilmCells& cells,
     {
       sum.at_voltage += energy.at_voltage[lane];
       sum.stored += energy.stored[lane];
+      sum.electric[members.slot] +=
+          energy.stored[lane] - energy.at_voltage[lane];
     }
   }
   return sum;

@@ -68,6 +68,33 @@ LimitCheck compute_forces(const BatchGeometry& geometry, const BatchLaw& law,
   return check;
 }
 
+template <unsigned int n_nodes>
+LimitCheck compute_permittivity(const BatchGeometry& geometry,
+                                const BatchLaw& law, const double* positions,
+                                const double* internal, double* permittivity)
+{
+  const std::size_t n_networks = law.elastomer->networks.size();
+  Lanes sum(0.);
+  LimitCheck check{std::numeric_limits<double>::infinity(), 0, 0, false};
+  for (unsigned int q = 0; q < n_nodes; ++q)
+  {
+    const Lanes* gradients = as_lanes(geometry.gradients) + 2 * n_nodes * q;
+    const Tensor* A = as_tensors(internal) + n_networks * q;
+    Tensor C = make_metric(
+        make_deformation_gradient<n_nodes>(gradients, as_lanes(positions)));
+    Tensor S = material::stress(*law.elastomer, C, A, law.field);
+    const double margin = material::limit_margin(*law.elastomer, C, A);
+    if (wrinkles(law, S, margin))
+      relax_point(law, A, q, C, S, check);
+    else
+      update_limit(margin, q, false, check);
+    sum += as_lanes(geometry.volumes)[q] *
+           material::charge_density(*law.elastomer, C, law.field, 1.);
+  }
+  *as_lanes(permittivity) = sum;
+  return check;
+}
+
 /// A point and how its wrinkles follow the stress.
 struct WrinklingPoint
 {
@@ -235,6 +262,18 @@ LimitCheck compute_forces(const BatchGeometry& geometry, const BatchLaw& law,
                     {
                       return compute_forces<n>(geometry, law, positions,
                                                internal, forces, rates, power);
+                    });
+}
+
+LimitCheck compute_permittivity(const BatchGeometry& geometry,
+                                const BatchLaw& law, const double* positions,
+                                const double* internal, double* permittivity)
+{
+  return with_nodes(geometry.n_nodes,
+                    [&](const auto n)
+                    {
+                      return compute_permittivity<n>(geometry, law, positions,
+                                                     internal, permittivity);
                     });
 }
 

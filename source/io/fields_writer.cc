@@ -170,7 +170,7 @@ void FieldsWriter::write(const double time, structure::StructureSystem& system,
     film = make_film_patches(time, system, state);
   if (!frames.empty())
     beams = make_frame_patches(
-        compute_frame_fields(structure, system.history().at(time), state),
+        compute_frame_fields(structure, system.loads_at(time, state), state),
         frames);
   write(time, film, beams);
 }

@@ -114,7 +114,7 @@ NodalFields compute_nodal_fields(const double time,
                                  const double* state)
 {
   Structure& structure = system.structure();
-  const auto loads = system.history().at(time);
+  const auto loads = system.loads_at(time, state);
   NodalFields fields;
   fields.positions = structure.compute_positions(loads, state);
   if (const double* v = system.velocities(state))
@@ -228,7 +228,7 @@ FilmPatches make_film_patches(const double time,
   Structure& structure = system.structure();
   const NodalFields nodal = compute_nodal_fields(time, system, state);
   const auto points = structure::compute_point_fields(
-      structure, system.history().at(time), state, system.internal(state));
+      structure, system.loads_at(time, state), state, system.internal(state));
   const unsigned int n_networks = count_networks(structure.device());
   FilmPatches film;
   name_columns(nodal.velocities.size() > 0, n_networks, film);

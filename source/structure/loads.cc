@@ -1,4 +1,5 @@
 #include <taut/structure/loads.h>
+#include <taut/structure/sources.h>
 
 #include <algorithm>
 #include <limits>
@@ -18,7 +19,8 @@ std::vector<Signal> collect(const Entries& entries, const Get& get)
 } // namespace
 
 LoadHistory::LoadHistory(const Device& device)
-    : voltages_(collect(device.electrodes,
+    : electrodes_(device.electrodes),
+      voltages_(collect(device.electrodes,
                         [](const Electrode& e) { return e.voltage; })),
       pressures_(collect(device.pressures,
                          [](const Pressure& p) { return p.pressure; })),
@@ -79,6 +81,23 @@ double LoadHistory::inside(const double time) const
   return time < end_ ? time : end_ - margin * (end_ - start_);
 }
 
+void LoadHistory::set_sources(LoadState& state) const
+{
+  state.source_voltages = state.voltages;
+  for (std::size_t e = 0; e < electrodes_.size(); ++e)
+  {
+    const Electrode& electrode = electrodes_[e];
+    const bool charge = electrode.control == Electrode::Control::charge;
+    state.charge_is_given.push_back(charge);
+    if (electrode.control == Electrode::Control::voltage)
+      continue;
+    state.voltages[e] =
+        charge ? std::numeric_limits<double>::quiet_NaN()
+               : compute_rest_voltage(electrode, state.source_voltages[e]);
+    state.voltage_rates[e] = 0;
+  }
+}
+
 LoadState LoadHistory::at(const double time) const
 {
   LoadState state;
@@ -93,6 +112,7 @@ LoadState LoadHistory::at(const double time) const
   };
   fill(voltages_, state.voltages, state.voltage_rates);
   fill(charges_, state.charges, state.charge_rates);
+  set_sources(state);
   fill(pressures_, state.pressures, state.pressure_rates);
   fill(edges_, state.edge_forces, state.edge_rates);
   fill(amplitudes_, state.amplitudes, state.amplitude_rates);

@@ -106,6 +106,8 @@ std::string Probes::get_unit(const Kind kind)
     return "V";
   case Kind::charge:
     return "C";
+  case Kind::current:
+    return "A";
   case Kind::capacitance:
     return "F";
   case Kind::reaction:
@@ -170,8 +172,18 @@ std::size_t Probes::find_target(const Probe& probe) const
     return find(get_names(device.bars), "bar");
   if (probe.kind == Kind::reaction)
     return find(get_names(device.supports), "support");
-  if (probe.kind == Kind::voltage || needs_forces(probe.kind))
-    return find(get_names(device.electrodes), "electrode");
+  if (probe.kind == Kind::voltage || probe.kind == Kind::current ||
+      needs_forces(probe.kind))
+  {
+    const std::size_t electrode =
+        find(get_names(device.electrodes), "electrode");
+    if (probe.kind == Kind::current &&
+        device.electrodes[electrode].control == Electrode::Control::voltage)
+      refuse(probe, "electrode '" + probe.of +
+                        "' is held at its voltage, whatever the current: only "
+                        "Control = charge or circuit has one to show");
+    return electrode;
+  }
   if (needs_frame_fields(probe.kind))
     return find(get_names(device.frames), "frame");
   auto films = get_names(device.films);
@@ -205,7 +217,7 @@ std::vector<Probes::Point> Probes::find_points(const Probe& probe) const
 std::vector<double> Probes::evaluate(const double time, const double* state)
 {
   Structure& structure = system_.structure();
-  const LoadState loads = system_.history().at(time);
+  const LoadState loads = system_.loads_at(time, state);
   const bool forces =
       std::any_of(descriptions_.begin(), descriptions_.end(),
                   [](const Probe& probe) { return needs_forces(probe.kind); });
@@ -284,6 +296,18 @@ double Probes::evaluate_temperature(const std::size_t probe,
                           : loads.frame_temperatures[target - n_films];
 }
 
+double Probes::evaluate_current(const std::size_t electrode,
+                                const LoadState& loads) const
+{
+  const Electrode& description =
+      system_.structure().device().electrodes[electrode];
+  return description.control == Electrode::Control::circuit
+             ? compute_currents(description, loads.source_voltages[electrode],
+                                loads.voltages[electrode])
+                   .source
+             : loads.charge_rates[electrode];
+}
+
 double Probes::evaluate_device(const std::size_t probe,
                                const LoadState& loads) const
 {
@@ -294,6 +318,8 @@ double Probes::evaluate_device(const std::size_t probe,
   {
   case Kind::voltage:
     return loads.voltages[target];
+  case Kind::current:
+    return evaluate_current(target, loads);
   case Kind::charge:
     return structure.compute_charges(loads)[target];
   case Kind::capacitance:

@@ -107,11 +107,14 @@ void Structure::add_bar_forces(fe::NodalVector& forces) const
 
 void Structure::set_dead_forces(const LoadState& loads)
 {
-  dead_forces_ = weight_;
+  // Entry by entry: an assignment of vectors leaves the shares at ghosts out.
   for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
+  {
+    double& force = fe::entry(dead_forces_, i);
+    force = fe::entry(weight_, i);
     for (unsigned int k = 0; k < edges_.size(); ++k)
-      fe::entry(dead_forces_, i) +=
-          loads.edge_forces[k] * fe::entry(edges_[k], i);
+      force += loads.edge_forces[k] * fe::entry(edges_[k], i);
+  }
   point_forces_->add_forces(loads, positions_, true, false, dead_forces_);
   if (rest_load_ != std::array<double, 3>{})
     frames_->add_line_load(rest_load_, dead_forces_);
@@ -196,7 +199,6 @@ Powers Structure::compute_powers(const LoadState& loads,
 {
   Powers powers;
   powers.dissipation = powers_.dissipation;
-  const auto charges = compute_charges(loads);
   double work = heat_power_;
   auto rates = nodes().make_vector();
   point_forces_->add_force_rates(loads, rates);
@@ -216,8 +218,7 @@ Powers Structure::compute_powers(const LoadState& loads,
       work += fe::entry(pressure_forces_, i) * fe::entry(*velocities, i);
   powers.work = sum(work);
   powers.dissipation = sum(powers.dissipation);
-  for (unsigned int e = 0; e < charges.size(); ++e)
-    powers.work -= charges[e] * loads.voltage_rates[e];
+  add_source_powers(loads, powers);
   if (!velocities)
     for (unsigned int i = 0; i < pressures_.size(); ++i)
       if (loads.pressure_rates[i] != 0)
@@ -266,7 +267,13 @@ Energies Structure::compute_energies(const LoadState& loads, const double* u,
       *cells_, make_laws(loads, Networks::as_given), positions_, internal);
   Energies energies;
   energies.stored = film.stored;
-  energies.electric = film.stored - film.at_voltage;
+  for (unsigned int slot = 0; slot < cells_->slots().size(); ++slot)
+  {
+    const int electrode = cells_->slots()[slot].electrode;
+    energies.electric += film.electric[slot];
+    if (electrode >= 0 && !loads.charge_is_given[electrode])
+      energies.sources -= 2 * film.electric[slot];
+  }
   energies.frames = frames_->compute_energy(loads, positions_);
   set_dead_forces(loads);
   for (std::size_t i = 0; i < 3 * nodes().n_local; ++i)
@@ -283,6 +290,7 @@ Energies Structure::compute_energies(const LoadState& loads, const double* u,
   energies.stored = sum(energies.stored);
   energies.frames = sum(energies.frames);
   energies.electric = sum(energies.electric);
+  energies.sources = sum(energies.sources);
   energies.dead_loads = sum(energies.dead_loads);
   energies.thermal = sum(compute_thermal_energy(loads));
   if (!v)

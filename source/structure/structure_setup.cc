@@ -94,6 +94,7 @@ Structure::Structure(const Device& device, const fe::MeshData& mesh,
   for (const auto& film : device_.films)
     relaxed_.push_back(material::relaxed(film.material));
   make_cells();
+  make_source_scales();
   for (fe::LocalNode node = 0; node < nodes().n_owned; ++node)
     for (unsigned int c = 0; c < 3; ++c)
       if (!nodes().dependent[node] && !(nodes().held[node] >> c & 1))

@@ -120,6 +120,8 @@ void Structure::factorise(const LoadState& loads, const double* u,
     solver_ = std::make_unique<fe::LinearSolver>(tangent_->get(), kind);
   solver_kind_ = kind;
   solver_->factorise();
+  make_border(loads, networks, alpha);
+  border_.eliminate([this](double* x) { solve_with(*solver_, x, x); });
 }
 
 void Structure::solve_with(fe::LinearSolver& solver, const double* r,
@@ -145,16 +147,6 @@ void Structure::multiply_with(const fe::TangentMatrix& matrix, const double* x,
     result[i] = product[free_[i]];
 }
 
-void Structure::solve(const double* r, double* d)
-{
-  solve_with(*solver_, r, d);
-}
-
-int Structure::count_negative_eigenvalues()
-{
-  return solver_->count_negative_eigenvalues();
-}
-
 void Structure::multiply_tangent(const LoadState& loads, const double* u,
                                  const double* internal,
                                  const Networks networks, const double alpha,
@@ -165,6 +157,8 @@ void Structure::multiply_tangent(const LoadState& loads, const double* u,
   assemble({&tangent_positions_, tangent_internal_.data(), alpha, inertia,
             device_.environment.air_drag, symmetric});
   multiply_with(*tangent_, x, result);
+  make_border(loads, networks, alpha);
+  border_.add_product(x, result);
 }
 
 void Structure::add_force_change(const double alpha, const double* r,

@@ -6,7 +6,8 @@
 namespace taut::structure
 {
 StructureSystem::StructureSystem(Structure& structure, const bool inertia)
-    : structure_(structure), history_(structure.device()), inertia_(inertia)
+    : structure_(structure), history_(structure.device()), inertia_(inertia),
+      circuits_(find_circuits(structure.device().electrodes))
 {
 }
 
@@ -23,6 +24,7 @@ time::StateLayout StructureSystem::layout() const
   layout.positions = structure_.n_free();
   layout.velocities = inertia_ ? layout.positions : 0;
   layout.internal = structure_.n_internal();
+  layout.globals = first ? circuits_.size() : 0;
   layout.scalars = first ? std::size_t(n_scalars) : 0;
   return layout;
 }
@@ -50,12 +52,12 @@ double* StructureSystem::internal(double* state) const
 
 const double* StructureSystem::scalars(const double* state) const
 {
-  return internal(state) + structure_.n_internal();
+  return internal(state) + structure_.n_internal() + layout().globals;
 }
 
 double* StructureSystem::scalars(double* state) const
 {
-  return internal(state) + structure_.n_internal();
+  return internal(state) + structure_.n_internal() + layout().globals;
 }
 
 std::vector<double>
@@ -70,10 +72,8 @@ StructureSystem::make_initial_state(const double time, const Start start,
              A, state.data());
   structure_.normalise_rotations(state.data());
   if (start == Start::relaxed)
-    fe::set_relaxed(
-        structure_.cells(),
-        structure_.make_laws(history_.at(time), Networks::relaxed),
-        structure_.compute_positions(history_.at(time), state.data()), A);
+    set_relaxed(time, state.data());
+  set_circuits_at_rest(time, state.data());
   return state;
 }
 
@@ -96,7 +96,7 @@ StructureSystem::make_initial_state(const double time, const Start start,
 Energies StructureSystem::compute_energies(const double time,
                                            const double* state)
 {
-  return structure_.compute_energies(history_.at(time), state,
+  return structure_.compute_energies(loads_at(time, state), state,
                                      velocities(state), internal(state));
 }
 
@@ -117,7 +117,7 @@ InertialSystem::InertialSystem(Structure& structure)
 void InertialSystem::evaluate(const double time, const double* state, double* f)
 {
   const std::size_t n = structure_.n_free();
-  const LoadState loads = history_.at(time);
+  const LoadState loads = loads_at(time, state);
   const double* v = velocities(state);
   std::copy(v, v + n, f);
   double* forces = f + n;
@@ -153,13 +153,14 @@ void InertialSystem::evaluate(const double time, const double* state, double* f)
     }
   }
   structure_.turn_forces_into_accelerations(v, forces);
+  set_circuit_rates(loads, f);
   powers.drag = dealii::Utilities::MPI::sum(drag_power, communicator());
   powers.work += dealii::Utilities::MPI::sum(support_power, communicator());
   if (layout().scalars > 0)
   {
     double* s = scalars(f);
     s[Scalar::dissipated] = powers.dissipation;
-    s[Scalar::lost] = powers.drag;
+    s[Scalar::lost] = powers.drag + powers.resistance;
     s[Scalar::work] = powers.work;
   }
 }
@@ -201,7 +202,7 @@ void InertialSystem::prepare(const double time, const double* state,
                              const double alpha)
 {
   alpha_ = alpha;
-  structure_.factorise(history_.at(time), state, internal(state),
+  structure_.factorise(loads_at(time, state), state, internal(state),
                        Networks::as_given, alpha, true,
                        fe::LinearSolver::Kind::symmetric);
 }
@@ -226,7 +227,8 @@ void InertialSystem::solve(const double* r, double* d)
   }
   structure_.add_force_change(alpha_, internal(r), b.data());
   structure_.turn_with_frames(false, b.data());
-  structure_.solve(b.data(), b.data());
+  auto charges = get_charges(r);
+  structure_.solve(b.data(), b.data(), charges);
   structure_.turn_with_frames(true, b.data());
   std::vector<double> change(structure_.n_internal());
   structure_.compute_internal_change(alpha_, b.data(), internal(r),
@@ -238,6 +240,7 @@ void InertialSystem::solve(const double* r, double* d)
     d[n + i] = alpha_ * b[i] - r_u;
   }
   std::copy(change.begin(), change.end(), internal(d));
+  set_charges(charges, d);
   for (std::size_t i = 0; i < layout().scalars; ++i)
     scalars(d)[i] = scalars(r)[i] / alpha_;
 }
@@ -284,14 +287,15 @@ QuasiStaticSystem::QuasiStaticSystem(Structure& structure,
 void QuasiStaticSystem::evaluate(const double time, const double* state,
                                  double* f)
 {
-  const LoadState loads = history_.at(time);
+  const LoadState loads = loads_at(time, state);
   structure_.compute_forces(loads, state, internal(state), Networks::as_given,
                             f, internal(f));
+  set_circuit_rates(loads, f);
   const Powers powers = structure_.compute_powers(loads, nullptr);
   if (layout().scalars > 0)
   {
     scalars(f)[Scalar::dissipated] = powers.dissipation;
-    scalars(f)[Scalar::lost] = 0;
+    scalars(f)[Scalar::lost] = powers.resistance;
     scalars(f)[Scalar::work] = powers.work;
   }
 }
@@ -317,7 +321,7 @@ void QuasiStaticSystem::prepare(const double time, const double* state,
   const auto kind = structure_.n_internal() > 0
                         ? fe::LinearSolver::Kind::general
                         : fe::LinearSolver::Kind::symmetric;
-  structure_.factorise(history_.at(time), state, internal(state),
+  structure_.factorise(loads_at(time, state), state, internal(state),
                        Networks::as_given, alpha, false, kind);
 }
 
@@ -326,12 +330,14 @@ void QuasiStaticSystem::solve(const double* r, double* d)
   const std::size_t n = structure_.n_free();
   std::vector<double> b(r, r + n);
   structure_.add_force_change(alpha_, internal(r), b.data());
-  structure_.solve(b.data(), b.data());
+  auto charges = get_charges(r);
+  structure_.solve(b.data(), b.data(), charges);
   std::vector<double> change(structure_.n_internal());
   structure_.compute_internal_change(alpha_, b.data(), internal(r),
                                      change.data());
   std::copy(b.begin(), b.end(), d);
   std::copy(change.begin(), change.end(), internal(d));
+  set_charges(charges, d);
   for (std::size_t i = 0; i < layout().scalars; ++i)
     scalars(d)[i] = scalars(r)[i] / alpha_;
 }
@@ -342,6 +348,7 @@ void QuasiStaticSystem::pass_stop_time(const double time, double* state)
   const double before = compute_energies(time, state).total();
   Equilibrium problem(structure_, history_, Networks::as_given,
                       internal(state));
+  problem.hold_charges(get_charges(state));
   time::find_equilibrium(problem, time, state, options_.newton);
   // What a jump releases, a slow process cannot hold: it is lost.
   const double after = compute_energies(time, state).total();

@@ -26,10 +26,18 @@ std::size_t Equilibrium::n_unknowns() const
   return structure_.n_free();
 }
 
+LoadState Equilibrium::loads_at(const double load, const double* u)
+{
+  LoadState loads = history_.at(load);
+  if (!held_charges_.empty())
+    give_charges(structure_.device().electrodes, held_charges_, loads);
+  return structure_.resolve_voltages(loads, u, internal_, networks_);
+}
+
 void Equilibrium::compute_residual(const double load, const double* u,
                                    double* residual)
 {
-  structure_.compute_forces(history_.at(load), u, internal_, networks_,
+  structure_.compute_forces(loads_at(load, u), u, internal_, networks_,
                             residual, nullptr);
   // The residual is internal minus external, so that its derivative is the
   // tangent.
@@ -45,7 +53,7 @@ void Equilibrium::prepare(const double load, const double* u)
       structure_.device().pressures.empty() && !structure_.has_follower_forces()
           ? fe::LinearSolver::Kind::symmetric
           : fe::LinearSolver::Kind::general;
-  structure_.factorise(history_.at(load), u, internal_, networks_,
+  structure_.factorise(loads_at(load, u), u, internal_, networks_,
                        std::numeric_limits<double>::infinity(), false, kind);
 }
 

@@ -159,9 +159,9 @@ double Watches::evaluate(const std::size_t event, const double time,
                ? description.threshold - value
                : value - description.threshold;
   }
-  const auto critical =
-      compute_critical_values(system_.structure(), system_.history().at(time),
-                              state, system_.internal(state));
+  const auto critical = compute_critical_values(system_.structure(),
+                                                system_.loads_at(time, state),
+                                                state, system_.internal(state));
   double margin = std::numeric_limits<double>::infinity();
   for (const auto film : targets_[event])
     margin = std::min(margin, compute_film_margin(event, film, critical));
@@ -181,9 +181,9 @@ EventReport Watches::report(const std::size_t event, const double time,
     report.value = probes_.evaluate(time, state)[targets_[event].front()];
     return report;
   }
-  const auto critical =
-      compute_critical_values(system_.structure(), system_.history().at(time),
-                              state, system_.internal(state));
+  const auto critical = compute_critical_values(system_.structure(),
+                                                system_.loads_at(time, state),
+                                                state, system_.internal(state));
   std::vector<double> margins;
   for (const auto film : targets_[event])
     margins.push_back(compute_film_margin(event, film, critical));
@@ -245,7 +245,7 @@ void Watches::locate(const std::size_t event,
           }
         }
   const auto fields = compute_point_fields(
-      structure, system_.history().at(time), state, system_.internal(state));
+      structure, system_.loads_at(time, state), state, system_.internal(state));
   std::array<double, 7> found{worst};
   if (std::isfinite(worst))
   {

@@ -19,9 +19,10 @@ make_adapted_structure(const Case& run_case, const fe::MeshData& mesh,
     structure::QuasiStaticSystem system(*result, options);
     const auto state = system.make_initial_state(
         procedure.start_time, procedure.start, true, options);
-    structure::refine_worst_cells(*result, state.data(),
-                                  system.history().at(procedure.start_time),
-                                  description.refined_share, triangulation);
+    structure::refine_worst_cells(
+        *result, state.data(),
+        system.loads_at(procedure.start_time, state.data()),
+        description.refined_share, triangulation);
     result = std::make_unique<Structure>(run_case.device, mesh, triangulation);
   }
   return result;

@@ -258,14 +258,8 @@ void FilmRun::observe_path(const double time, const double* u,
 {
   std::copy(u, u + system_->structure().n_free(), state_.begin());
   if (case_.procedure.start == structure::Start::relaxed)
-  {
-    const auto loads = system_->history().at(time);
-    structure::Structure& structure = system_->structure();
-    fe::set_relaxed(structure.cells(),
-                    structure.make_laws(loads, structure::Networks::relaxed),
-                    structure.compute_positions(loads, u),
-                    system_->internal(state_.data()));
-  }
+    system_->set_relaxed(time, state_.data());
+  system_->set_circuits_at_rest(time, state_.data());
   write(time, state_.data(), true);
   const auto watches = watches_.make_time_watches();
   for (std::size_t i = 0; i < watches.size(); ++i)

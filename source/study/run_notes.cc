@@ -11,7 +11,7 @@ std::vector<std::string> make_start_notes(structure::StructureSystem& system,
                                           const double* state)
 {
   const auto critical = structure::compute_critical_values(
-      system.structure(), system.history().at(time), state,
+      system.structure(), system.loads_at(time, state), state,
       system.internal(state));
   const auto sum = [&](const long own)
   { return dealii::Utilities::MPI::sum(own, system.communicator()); };

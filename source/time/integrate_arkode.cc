@@ -255,7 +255,8 @@ double ArkodeStepper::advance()
 
 void ArkodeStepper::compute_rates()
 {
-  if (system_.sizes().internal + system_.sizes().scalars == 0)
+  const GlobalSizes& sizes = system_.sizes();
+  if (sizes.internal + sizes.globals + sizes.scalars == 0)
     return;
   if (!begin_f_known_)
     system_.compute_f(begin_time_, begin_.data(), begin_f_.data());

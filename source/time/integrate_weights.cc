@@ -25,6 +25,8 @@ ErrorWeights compute_error_weights(const GlobalSizes& sizes,
   weights.internal = (sizes.velocities > 0 ? rates : 1) *
                      compute_share(sizes.all, sizes.internal) /
                      options.internal_tolerance;
+  weights.global =
+      compute_share(sizes.all, sizes.globals) / options.global_tolerance;
   // Nothing depends on them: positive only because SUNDIALS asks for it.
   weights.scalar = 1e-30;
   return weights;
@@ -35,6 +37,7 @@ void ErrorWeights::fill(const StateLayout& layout, double* weights) const
   weights = std::fill_n(weights, layout.positions, position);
   weights = std::fill_n(weights, layout.velocities, velocity);
   weights = std::fill_n(weights, layout.internal, internal);
+  weights = std::fill_n(weights, layout.globals, global);
   std::fill_n(weights, layout.scalars, scalar);
 }
 } // namespace taut::time

@@ -15,6 +15,7 @@ struct ErrorWeights
   double position = 0;
   double velocity = 0;
   double internal = 0;
+  double global = 0;
   double scalar = 0;
 
   /// Writes them in the layout of the state.

@@ -16,6 +16,7 @@ GlobalSizes compute_sizes(const StateLayout& layout,
   sizes.positions = sum(layout.positions);
   sizes.velocities = sum(layout.velocities);
   sizes.internal = sum(layout.internal);
+  sizes.globals = sum(layout.globals);
   sizes.scalars = sum(layout.scalars);
   sizes.all = sum(layout.size());
   return sizes;

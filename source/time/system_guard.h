@@ -12,6 +12,7 @@ struct GlobalSizes
   long long positions = 0;
   long long velocities = 0;
   long long internal = 0;
+  long long globals = 0;
   long long scalars = 0;
   long long all = 0;
 };

@@ -13,7 +13,8 @@ namespace taut
 {
 namespace
 {
-/// Two films with networks, hanging nodes, an electrode, pressure and a bar.
+/// Two films with networks, hanging nodes, an electrode, pressure, weight, an
+/// edge load and a bar.
 std::unique_ptr<testing::Model> make_resonator(const MPI_Comm communicator)
 {
   structure::Device device;
@@ -32,6 +33,13 @@ std::unique_ptr<testing::Model> make_resonator(const MPI_Comm communicator)
   device.pressures = {testing::make_pressure("film", Signal::constant(10))};
   device.bars = {testing::make_bar("middle", 1e-2)};
   device.environment.air_drag = 100;
+  device.environment.gravity = {{0, 3, -9.81}};
+  structure::EdgeLoad load;
+  load.name = "pull";
+  load.groups = {"north", "middle"};
+  load.direction = {{0, 1, .2}};
+  load.force = Signal::constant(3);
+  device.edge_loads = {load};
   return std::make_unique<testing::Model>(
       device, testing::make_rectangle(4, 4, 2, .06, .04), 0,
       [](fe::Triangulation& triangulation)

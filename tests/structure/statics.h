@@ -17,7 +17,8 @@ public:
       const structure::Networks networks = structure::Networks::relaxed)
       : loads(structure.device()), u(structure.n_free(), 0.),
         internal(structure.n_internal()), structure_(structure),
-        history_(structure.device()), problem_(*this, networks)
+        networks_(networks), history_(structure.device()),
+        problem_(*this, networks)
   {
     fe::set_unrelaxed(structure.cells(), internal.data());
     history_.enter_interval(0);
@@ -50,9 +51,11 @@ public:
     loads.supports[support].amplitude = Signal::constant(amplitude);
     apply();
   }
+  /// At the present u, with the voltages that given charges need.
   structure::LoadState get_loads() const
   {
-    return history_.at(0);
+    return structure_.resolve_voltages(history_.at(0), u.data(),
+                                       internal.data(), networks_);
   }
 
   /// Newton from `u`; residual below `tolerance` of the internal forces.
@@ -108,6 +111,7 @@ private:
   };
 
   structure::Structure& structure_;
+  const structure::Networks networks_;
   structure::LoadHistory history_;
   Problem problem_;
 };

@@ -70,6 +70,43 @@ std::unique_ptr<testing::Model> make_slack(const unsigned int degree)
   return make_stretched(degree, {{.6, .5}});
 }
 
+/// The charge of the left half is given, at a field of .15 sqrt(G/eps) in the
+/// mesh; on the right a circuit.
+std::unique_ptr<testing::Model>
+make_charged(const unsigned int degree,
+             const std::array<double, 2>& pre_stretch)
+{
+  auto model = make_stretched(degree, pre_stretch);
+  auto device = model->structure->device();
+  using Control = structure::Electrode::Control;
+  device.electrodes[0].control = Control::charge;
+  device.electrodes[0].charge =
+      Signal::constant(.15 * model->structure->charge_scales()[0]);
+  device.electrodes.push_back(
+      testing::make_electrode("right", Signal::constant(2000)));
+  device.electrodes[1].control = Control::circuit;
+  device.electrodes[1].series_resistance = 3e9;
+  device.electrodes[1].leakage_resistance = 5e9;
+  model->structure = std::make_unique<structure::Structure>(
+      device, model->mesh, model->triangulation);
+  return model;
+}
+
+std::unique_ptr<testing::Model> make_charged_taut(const unsigned int degree)
+{
+  return make_charged(degree, {{1.5, 2}});
+}
+
+std::unique_ptr<testing::Model> make_charged_wrinkled(const unsigned int degree)
+{
+  return make_charged(degree, {{1.5, .5}});
+}
+
+std::unique_ptr<testing::Model> make_charged_slack(const unsigned int degree)
+{
+  return make_charged(degree, {{.6, .5}});
+}
+
 /// The sheet in a frame: a beam along the north edge, from its end an arm into
 /// space with a hinge where they meet, beams along the west edge that end in a
 /// rigid body along the south edge, and loads on the arm.
@@ -177,13 +214,28 @@ protected:
   }
 };
 
+/// The loads at time 0 with voltages; circuits have the charge of the first
+/// electrode.
+LoadState get_loads(structure::Structure& structure,
+                    const structure::LoadHistory& history,
+                    const std::vector<double>& u, const std::vector<double>& A)
+{
+  LoadState loads = history.at(0);
+  const auto& electrodes = structure.device().electrodes;
+  structure::give_charges(
+      electrodes,
+      std::vector<double>(electrodes.size(), electrodes[0].charge.value(0)),
+      loads);
+  return structure.resolve_voltages(loads, u.data(), A.data(),
+                                    Networks::as_given);
+}
+
 TEST_P(Tangent, frozen_equals_differences_of_forces)
 {
   const auto model = make_model();
   auto& structure = *model->structure;
   structure::LoadHistory history(structure.device());
   history.enter_interval(0);
-  const LoadState loads = history.at(0);
   const std::size_t n = structure.n_free();
   const auto u = make_noise(n, 3e-4, 1);
   auto A = make_noise(structure.n_internal(), 0.05, 2);
@@ -195,18 +247,20 @@ TEST_P(Tangent, frozen_equals_differences_of_forces)
   auto direction = make_noise(n, 1, 3);
   remove_lengthening(structure, u, direction);
   std::vector<double> product(n), plus(n), minus(n), moved(u);
-  structure.multiply_tangent(loads, u.data(), A.data(), Networks::as_given,
-                             infinity, false, false, direction.data(),
-                             product.data());
+  structure.multiply_tangent(get_loads(structure, history, u, A), u.data(),
+                             A.data(), Networks::as_given, infinity, false,
+                             false, direction.data(), product.data());
   // Central differences: error h^2 u''' / 6 + round-off / h, about 1e-8.
   constexpr double h = 3e-8;
   for (std::size_t i = 0; i < n; ++i)
     moved[i] = u[i] + h * direction[i];
-  structure.compute_forces(loads, moved.data(), A.data(), Networks::as_given,
+  structure.compute_forces(get_loads(structure, history, moved, A),
+                           moved.data(), A.data(), Networks::as_given,
                            plus.data(), nullptr);
   for (std::size_t i = 0; i < n; ++i)
     moved[i] = u[i] - h * direction[i];
-  structure.compute_forces(loads, moved.data(), A.data(), Networks::as_given,
+  structure.compute_forces(get_loads(structure, history, moved, A),
+                           moved.data(), A.data(), Networks::as_given,
                            minus.data(), nullptr);
   std::vector<double> difference(n);
   for (std::size_t i = 0; i < n; ++i)
@@ -259,15 +313,15 @@ TEST_P(Tangent, symmetric_when_networks_are_frozen)
   const auto model = make_model();
   auto& structure = *model->structure;
   structure::LoadHistory history(structure.device());
-  LoadState loads = history.at(0);
-  // Neither follows the deformation without a potential.
-  for (auto* list :
-       {&loads.pressures, &loads.point_forces, &loads.point_moments})
-    std::fill(list->begin(), list->end(), 0.);
   const std::size_t n = structure.n_free();
   const auto u = make_noise(n, 3e-4, 1);
   std::vector<double> A(structure.n_internal());
   fe::set_unrelaxed(structure.cells(), A.data());
+  LoadState loads = get_loads(structure, history, u, A);
+  // Neither follows the deformation without a potential.
+  for (auto* list :
+       {&loads.pressures, &loads.point_forces, &loads.point_moments})
+    std::fill(list->begin(), list->end(), 0.);
   const auto a = make_noise(n, 1, 3), b = make_noise(n, 1, 4);
   std::vector<double> Ka(n), Kb(n);
   structure.multiply_tangent(loads, u.data(), A.data(), Networks::as_given,
@@ -289,12 +343,17 @@ INSTANTIATE_TEST_SUITE_P(films, CondensedTangent,
                          ::testing::Values(Setting{make_everything, 1},
                                            Setting{make_everything, 2},
                                            Setting{make_wrinkled, 2},
-                                           Setting{make_slack, 2}));
+                                           Setting{make_slack, 2},
+                                           Setting{make_charged_taut, 2}));
 INSTANTIATE_TEST_SUITE_P(devices, Tangent,
                          ::testing::Values(Setting{make_everything, 1},
                                            Setting{make_everything, 2},
                                            Setting{make_wrinkled, 2},
                                            Setting{make_slack, 2},
+                                           Setting{make_charged_taut, 1},
+                                           Setting{make_charged_taut, 2},
+                                           Setting{make_charged_wrinkled, 2},
+                                           Setting{make_charged_slack, 2},
                                            Setting{make_framed_sheet, 1},
                                            Setting{make_framed_sheet, 2}));
 } // namespace

@@ -39,6 +39,31 @@ LimitReport add_internal_forces(const FilmCells& cells,
                                 const double* internal, NodalVector& forces,
                                 double* rates, FilmPowers& powers);
 
+struct Capacitance
+{
+  /// Of this rank's part of an electrode, charge over voltage (F).
+  double value;
+  LimitReport limit;
+};
+Capacitance compute_capacitance(const FilmCells& cells,
+                                const std::vector<BatchLaw>& laws,
+                                int electrode, const NodalVector& positions,
+                                const double* internal);
+
+/// Two voltages of an electrode (V) and the laws at each.
+struct VoltageStep
+{
+  double lower, higher;
+  const std::vector<BatchLaw>& lower_laws;
+  const std::vector<BatchLaw>& higher_laws;
+};
+/// How the cells of an electrode answer the step at fixed positions: forces +=
+/// change of the internal forces (N); returns the change of the charge on this
+/// rank's part (C).
+double add_voltage_response(const FilmCells& cells, const VoltageStep& step,
+                            int electrode, const NodalVector& positions,
+                            const double* internal, NodalVector& forces);
+
 /// Some cells under one follower pressure.
 struct PressureLoad
 {
@@ -101,6 +126,8 @@ struct FilmEnergy
 {
   double at_voltage = 0; ///< Legendre transformed (J)
   double stored = 0;     ///< in springs and networks (J)
+  /// (1/2) Q V by slot (J).
+  std::vector<double> electric;
 };
 FilmEnergy compute_energy(const FilmCells& cells,
                           const std::vector<BatchLaw>& laws,

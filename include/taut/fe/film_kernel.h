@@ -63,6 +63,11 @@ LimitCheck compute_forces(const BatchGeometry& geometry, const BatchLaw& law,
                           const double* positions, const double* internal,
                           double* forces, double* rates, BatchPower& power);
 
+/// BatchPower::permittivity alone, [lane].
+LimitCheck compute_permittivity(const BatchGeometry& geometry,
+                                const BatchLaw& law, const double* positions,
+                                const double* internal, double* permittivity);
+
 /// Stiffness d forces / d x, [a][3][b][3] (N/m), with the networks condensed
 /// at `alpha` (1/s; infinity: frozen), plus mass_factor * density * N_a N_b on
 /// the diagonal of each block (mass_factor in 1/s^2; shape_values [q][a] one

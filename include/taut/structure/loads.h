@@ -10,8 +10,15 @@ namespace taut::structure
 /// description, with their first rates (per s) and, for supports, second.
 struct LoadState
 {
-  std::vector<double> voltages, voltage_rates;         ///< (V)
-  std::vector<double> charges, charge_rates;           ///< (C)
+  /// Between the faces of the electrodes (V), rates only of prescribed ones.
+  /// Where charge_is_given, no number until Structure::resolve_voltages.
+  std::vector<double> voltages, voltage_rates;
+  /// Where they are given (C); rates only of prescribed ones.
+  std::vector<double> charges, charge_rates;
+  /// By electrode. The history gives the charges that are controlled and leaves
+  /// circuits at rest; give_charges gives those of circuits, too.
+  std::vector<bool> charge_is_given;
+  std::vector<double> source_voltages;                 ///< of circuits (V)
   std::vector<double> pressures, pressure_rates;       ///< (Pa)
   std::vector<double> edge_forces, edge_rates;         ///< (N/m)
   std::vector<double> point_forces, point_force_rates; ///< (N)
@@ -41,11 +48,13 @@ public:
   bool has_moving_supports() const;
 
 private:
+  void set_sources(LoadState& state) const;
   template <typename Function>
   void for_each_signal(const Function& function) const;
   double read(const Signal& signal, double time) const;
   double inside(double time) const;
 
+  std::vector<Electrode> electrodes_;
   std::vector<Signal> voltages_, pressures_, edges_, amplitudes_;
   std::vector<Signal> charges_, pre_stretch_shares_;
   std::vector<Signal> film_temperatures_, frame_temperatures_;

@@ -40,8 +40,8 @@ public:
   {
     return descriptions_[probe].name;
   }
-  /// "m", "rad", "m/s", "V", "C", "F", "N", "N m", "K", "Pa", "V/m", "m^3" or
-  /// "1".
+  /// "m", "rad", "m/s", "V", "C", "A", "F", "N", "N m", "K", "Pa", "V/m", "m^3"
+  /// or "1".
   static std::string get_unit(Probe::Kind kind);
   std::string unit(const std::size_t probe) const
   {
@@ -91,6 +91,7 @@ private:
   double evaluate_frame(std::size_t probe,
                         const std::vector<FrameElementFields>& fields) const;
   double evaluate_temperature(std::size_t probe, const LoadState& loads) const;
+  double evaluate_current(std::size_t electrode, const LoadState& loads) const;
   double evaluate_device(std::size_t probe, const LoadState& loads) const;
 
   StructureSystem& system_;

@@ -7,6 +7,7 @@
 #include <taut/structure/loads.h>
 #include <taut/structure/point_forces.h>
 #include <taut/structure/rotary_inertia.h>
+#include <taut/structure/sources.h>
 
 #include <memory>
 #include <vector>
@@ -25,8 +26,10 @@ struct Powers
 {
   double dissipation = 0; ///< in the networks (W)
   double drag = 0;        ///< lost to the air (W)
-  /// Of voltage sources (- Q dV/dt), dead loads (- dF/dt . u), pressures,
-  /// moving supports and temperatures (dT/dt dPsi/dT) (W); see Energies::total.
+  double resistance = 0;  ///< lost in resistors of circuits (W)
+  /// Of sources (- Q dV/dt, V dQ/dt or V_s i_s), dead loads (- dF/dt . u),
+  /// pressures, moving supports and temperatures (dT/dt dPsi/dT) (W); see
+  /// Energies::total.
   double work = 0;
 };
 
@@ -36,6 +39,8 @@ struct Energies
   double stored = 0;   ///< springs and networks (J)
   double frames = 0;   ///< bending, stretching, twisting of frames (J)
   double electric = 0; ///< (1/2) Q V (J)
+  /// - Q V of the electrodes whose voltage is prescribed (J)
+  double sources = 0;
   /// - F . u, in quasi-static problems also - p (volume) (J)
   double dead_loads = 0;
   /// rho c_0 ((T - T_0) - T ln(T/T_0)) of the films: a function of the
@@ -44,7 +49,7 @@ struct Energies
   /// What the balance follows.
   double total() const
   {
-    return kinetic + stored + frames - electric + dead_loads;
+    return kinetic + stored + frames + electric + sources + dead_loads;
   }
 };
 
@@ -119,6 +124,19 @@ public:
   std::vector<fe::BatchLaw> make_laws(const LoadState& loads, Networks networks,
                                       double time_step = 0) const;
 
+  /// The loads with the voltages of all electrodes whose charges are given, as
+  /// all that follows needs them. The networks are given, as the charge of a
+  /// wrinkled film depends on them. Errors: StepRejected if no voltage gives a
+  /// charge.
+  LoadState resolve_voltages(LoadState loads, const double* u,
+                             const double* internal, Networks networks);
+  /// By electrode, of the film in the mesh at the dimensionless field
+  /// (V/H) sqrt(eps/G) = 1 (C).
+  const std::vector<double>& charge_scales() const
+  {
+    return charge_scales_;
+  }
+
   /// forces = external minus internal forces on the free unknowns (N) and, if
   /// `rates` is given, the rates of the internal variables.
   /// Errors: StepRejected, with the place, if a spring is beyond its limit.
@@ -158,12 +176,16 @@ public:
   Energies compute_energies(const LoadState& loads, const double* u,
                             const double* v, const double* internal);
 
-  /// Assembles and factorises the tangent (see fe::TangentRequest).
+  /// Assembles and factorises the tangent (see fe::TangentRequest), of which
+  /// given charges are a part (see SourceBorder).
   void factorise(const LoadState& loads, const double* u,
                  const double* internal, Networks networks, double alpha,
                  bool inertia, fe::LinearSolver::Kind kind);
   /// d = tangent^{-1} r on the free unknowns. Not a copy: may be one array.
   void solve(const double* r, double* d);
+  /// The same for a motion with circuits: takes the residuals of the rates of
+  /// their charges (A), by electrode, to changes of the charges (C).
+  void solve(const double* r, double* d, std::vector<double>& circuits);
   /// Negative eigenvalues of the last factorised symmetric tangent.
   int count_negative_eigenvalues();
   /// result = tangent x, without a factorisation.
@@ -238,6 +260,14 @@ public:
 
 private:
   void make_cells();
+  void make_source_scales();
+  void add_source_powers(const LoadState& loads, Powers& powers) const;
+  void make_border(const LoadState& loads, Networks networks, double alpha);
+  SourceBorder::Column make_column(unsigned int electrode,
+                                   const LoadState& loads, Networks networks);
+  double compute_capacitance(unsigned int electrode, const LoadState& loads,
+                             const double* internal, Networks networks,
+                             fe::LimitReport& limit) const;
   fe::PressureLoad make_pressure(const std::vector<std::string>& groups) const;
   void make_weight();
   double compute_least_force() const;
@@ -306,6 +336,10 @@ private:
   std::vector<double> gauge_;
   std::array<double, 3> rest_load_{}; ///< (N/m)
   bool carries_compression_ = false;
+  /// By electrode: the voltage (V) and charge (C) at the dimensionless field 1
+  /// and the last voltage that was found for a given charge (V).
+  std::vector<double> voltage_scales_, charge_scales_, last_voltages_;
+  SourceBorder border_;
   std::vector<fe::PressureLoad> pressures_;
   fe::NodalVector weight_;             ///< (N)
   std::vector<fe::NodalVector> edges_; ///< per N/m of each edge load (m)

@@ -28,12 +28,21 @@ public:
   double round_off_force() const override;
   bool takes_full_steps() const override;
 
+  /// Circuits keep these charges (C, by electrode) instead of being at rest.
+  void hold_charges(const std::vector<double>& charges)
+  {
+    held_charges_ = charges;
+  }
+
 private:
+  LoadState loads_at(double load, const double* u);
+
   Structure& structure_;
   LoadHistory& history_;
   Networks networks_;
   const double* internal_;
   std::vector<double> no_internal_;
+  std::vector<double> held_charges_;
 };
 
 /// The scalars of the state, integrated with the motion for the balance of
@@ -41,12 +50,13 @@ private:
 enum Scalar : unsigned int
 {
   dissipated = 0, ///< in the networks (J)
-  lost = 1,       ///< to the air and in jumps of quasi-static runs (J)
-  work = 2,       ///< of voltages, loads and moving supports (J)
+  lost = 1, ///< to air and resistors and in jumps of quasi-static runs (J)
+  work = 2, ///< of sources, loads and moving supports (J)
   n_scalars = 3
 };
 
-/// Common to both systems in time: the state and how it begins.
+/// Common to both systems in time: the state and how it begins. Its globals are
+/// the charges of circuits over Structure::charge_scales.
 class StructureSystem : public time::System
 {
 public:
@@ -66,10 +76,19 @@ public:
   {
     return history_;
   }
+  /// All loads at a state, with the voltages that follow from charges.
+  /// Collective. Errors: as Structure::resolve_voltages.
+  LoadState loads_at(double time, const double* state);
+  /// Charges of circuits, by electrode (C); 0 for others. Collective.
+  std::vector<double> get_charges(const double* state) const;
+  /// Relaxes the internal variables of a state.
+  void set_relaxed(double time, double* state);
+  /// Charges circuits until their currents rest at the given shape.
+  void set_circuits_at_rest(double time, double* state);
 
-  /// A state at rest: internal variables relaxed or A = 1, positions in
-  /// equilibrium with them if `in_equilibrium`, else those of the mesh.
-  /// Errors: as time::follow_path.
+  /// A state at rest, circuits included: internal variables relaxed or A = 1,
+  /// positions in equilibrium with them if `in_equilibrium`, else those of the
+  /// mesh. Errors: as time::follow_path.
   std::vector<double> make_initial_state(double time, Start start,
                                          bool in_equilibrium,
                                          const time::PathOptions& options);
@@ -95,12 +114,17 @@ public:
 protected:
   StructureSystem(Structure& structure, bool inertia);
   double* scalars(double* state) const;
+  /// Writes charges (C, by electrode) into the globals of a state.
+  void set_charges(const std::vector<double>& charges, double* state) const;
+  /// The rates of the circuits' charges at the last compute_forces.
+  void set_circuit_rates(const LoadState& loads, double* f) const;
   /// Adds to the scalars the energy that a jump of the loads brings in at once.
   void pass_jump(double time, double* state);
 
   Structure& structure_;
   LoadHistory history_;
   const bool inertia_;
+  const std::vector<unsigned int> circuits_; ///< electrodes
   double alpha_ = 0;
 };
 

@@ -27,6 +27,8 @@ struct IntegratorOptions
   /// Local error of an internal variable; only controls quasi-static runs,
   /// where the internal variables drive the motion.
   double internal_tolerance = 1e-6;
+  /// Local error of a global unknown, whatever kind of run.
+  double global_tolerance = 1e-6;
   /// Velocities and, in inertial runs, internal variables weigh this much less
   /// than displacements: stiff modes must not stop the step.
   double weight_of_rates = 1e-6;

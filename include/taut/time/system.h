@@ -9,7 +9,7 @@
 namespace taut::time
 {
 /// Sizes of the blocks of this rank's part of the state, in their order in the
-/// flat vector y = [positions | velocities | internal | scalars].
+/// flat vector y = [positions | velocities | internal | globals | scalars].
 struct StateLayout
 {
   /// Free position unknowns u (m).
@@ -19,24 +19,28 @@ struct StateLayout
   std::size_t velocities = 0;
   /// Internal variables A of the viscous networks (dimensionless).
   std::size_t internal = 0;
+  /// Unknowns of the whole system with rates of their own, such as charges in
+  /// circuits, scaled so that 1 is large; on rank 0 only.
+  std::size_t globals = 0;
   /// Time integrals that nothing depends on, such as dissipated energy (J);
   /// on rank 0 only. They are integrated but not error-controlled.
   std::size_t scalars = 0;
 
   std::size_t size() const
   {
-    return positions + velocities + internal + scalars;
+    return positions + velocities + internal + globals + scalars;
   }
 };
 
 /// A system of ordinary differential and algebraic equations as the
 /// integrators see it. With velocities
-///   u' = v,   M v' = force(t, u, v, A),   A' = rate(t, u, A),   s' = rate(t,
-///   y)
+///   u' = v,   M v' = force(t, u, v, A, g),   A' = rate(t, u, A),
+///   g' = rate(t, u, A, g),   s' = rate(t, y)
 /// and without (quasi-static)
-///   0 = force(t, u, A),   A' = rate(t, u, A),   s' = rate(t, y).
-/// In short  B y' = f(t, y)  with the constant matrix B = diag(1, M, 1, 1) or
-/// diag(0, 1, 1). Vectors are this rank's part, of length layout().size().
+///   0 = force(t, u, A, g),   the rest as before.
+/// In short  B y' = f(t, y)  with the constant matrix B = diag(1, M, 1, 1, 1)
+/// or diag(0, 1, 1, 1). Vectors are this rank's part, of length
+/// layout().size().
 ///
 /// Every method is collective. Errors of every method: StepRejected where the
 /// state is not admissible (a smaller step may help), SolverFailed where
