@@ -52,9 +52,8 @@ double compute_strength(const BreakdownLaw& law, const BreakdownState& state)
 {
   double strength = law.reference;
   for (const StrengthFactor& factor : law.factors)
-    strength *= std::visit([&](const auto& one)
-                           { return compute_factor(one, state); },
-                           factor);
+    strength *= std::visit(
+        [&](const auto& one) { return compute_factor(one, state); }, factor);
   return strength;
 }
 } // namespace taut::material

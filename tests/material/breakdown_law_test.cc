@@ -47,9 +47,9 @@ TEST(BreakdownLaw, FactorsAreThoseOfTheirFormulas)
   EXPECT_DOUBLE_EQ(
       compute(TemperatureStrength{PolynomialLaw{300., {-.01}, 273., 373.}}),
       4e7 * .9);
-  EXPECT_DOUBLE_EQ(compute(TemperatureStrength{ArrheniusLaw{300., 5e3}}),
-                   4e7 * std::exp(5e3 / 8.31446261815324 *
-                                  (1 / 310. - 1 / 300.)));
+  EXPECT_DOUBLE_EQ(
+      compute(TemperatureStrength{ArrheniusLaw{300., 5e3}}),
+      4e7 * std::exp(5e3 / 8.31446261815324 * (1 / 310. - 1 / 300.)));
   EXPECT_DOUBLE_EQ(compute(RateStrength{1e4, .1, {1., 1e9}}),
                    4e7 * std::pow(100., .1));
 }
@@ -66,16 +66,16 @@ TEST(BreakdownLaw, FactorsMultiply)
 TEST(BreakdownLaw, RatesAreKeptWithinTheirBounds)
 {
   const RateStrength law{1e4, .1, {1e2, 1e5}};
-  const auto at_rate = [&](const double rate)
-  { return compute(law, {9., 50e-6, 310., rate}); };
+  const auto at_rate = [&](const double rate) {
+    return compute(law, {9., 50e-6, 310., rate});
+  };
   EXPECT_DOUBLE_EQ(at_rate(0.), 4e7 * std::pow(1e-2, .1));
   EXPECT_DOUBLE_EQ(at_rate(1e9), 4e7 * std::pow(1e1, .1));
 }
 
 TEST(BreakdownLaw, OutOfRangeNamesValueAndRange)
 {
-  const auto expect = [](const StrengthFactor& factor,
-                         const BreakdownState& at,
+  const auto expect = [](const StrengthFactor& factor, const BreakdownState& at,
                          const std::vector<std::string>& words)
   {
     const std::string refusal = get_refusal(factor, at);

@@ -76,8 +76,8 @@ TEST(Validate, RefusesDielectrics)
                  {"relative permittivity", "4e-11", "1 (vacuum) or more"});
   expect_refused({springs, {}, {ConstantPermittivity{4.}, {0.}}, 0.},
                  {"breakdown strength"});
-  const auto expect_refused_law = [&](const StrengthFactor& factor,
-                                      const std::vector<std::string>& words)
+  const auto expect_refused_law =
+      [&](const StrengthFactor& factor, const std::vector<std::string>& words)
   {
     expect_refused(
         {springs, {}, {ConstantPermittivity{4.}, {1e8, {factor}}}, 0.}, words);

@@ -23,7 +23,7 @@ struct ValidRange
 /// 2011) use such a power without the thickness.
 struct StretchStrength
 {
-  double exponent; ///< r
+  double exponent;  ///< r
   ValidRange range; ///< of lambda
 };
 
@@ -47,8 +47,8 @@ struct TemperatureStrength
 /// 041911, 2012.
 struct RateStrength
 {
-  double reference; ///< R_0 (V/(m s))
-  double exponent;  ///< m
+  double reference;  ///< R_0 (V/(m s))
+  double exponent;   ///< m
   ValidRange bounds; ///< of R (V/(m s)); lowest above 0
 };
 
