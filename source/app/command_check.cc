@@ -68,6 +68,15 @@ std::string describe_bar(const structure::RigidBar& description,
                      bar.rotary_inertia);
 }
 
+std::unique_ptr<structure::StructureSystem>
+make_system(const study::Case& film_case, structure::Structure& structure)
+{
+  if (film_case.procedure.analysis == structure::Analysis::transient)
+    return std::make_unique<structure::InertialSystem>(structure);
+  return std::make_unique<structure::QuasiStaticSystem>(structure,
+                                                        time::PathOptions());
+}
+
 /// All that a run would refuse before its first step is refused here, too.
 void check_observers(const study::Case& film_case,
                      structure::Structure& structure)
@@ -75,9 +84,10 @@ void check_observers(const study::Case& film_case,
   io::name_case_in_errors(film_case,
                           [&]
                           {
-                            structure::QuasiStaticSystem system(structure, {});
-                            structure::Probes probes(system);
-                            structure::Watches watches(system, probes);
+                            const auto system =
+                                make_system(film_case, structure);
+                            structure::Probes probes(*system);
+                            structure::Watches watches(*system, probes);
                           });
 }
 

@@ -150,7 +150,7 @@ void check_event(const CaseText& text, const structure::EventDescription& event,
                 "strength of the material");
   for (const Film& film : device.films)
     if ((event.of.empty() || event.of == film.name) &&
-        std::isfinite(film.material.dielectric.breakdown_strength))
+        std::isfinite(film.material.dielectric.breakdown.reference))
       return;
   text.refuse({"Event " + event.name}, "Kind",
               "no watched film has a material with a Breakdown strength");

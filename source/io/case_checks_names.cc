@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace taut::io
 {
@@ -72,6 +73,10 @@ material::Elastomer make_elastomer(const CaseText& text,
   {
     text.refuse({"Material " + draft.name}, "", problem.message());
   }
+  if (!elastomer.dielectric.breakdown.factors.empty() &&
+      !std::isfinite(elastomer.dielectric.breakdown.reference))
+    text.refuse({"Material " + draft.name, "Dielectric"}, "Breakdown law",
+                "there is no Breakdown strength that it multiplies");
   return elastomer;
 }
 
@@ -231,11 +236,31 @@ void check_watched(const CaseText& text, const EventDescription& event,
                    const structure::Device& device)
 {
   const SectionPath section = {"Event " + event.name};
-  const bool of_probe = event.kind == EventDescription::Kind::probe_above ||
-                        event.kind == EventDescription::Kind::probe_below;
-  if (of_probe)
-    check_name(text, section, "Of", event.of, "probe", names_in(device.probes));
-  else if (!event.of.empty())
+  using Kind = EventDescription::Kind;
+  switch (event.kind)
+  {
+  case Kind::probe_above:
+  case Kind::probe_below:
+  case Kind::snap_through:
+    return check_name(text, section, "Of", event.of, "probe",
+                      names_in(device.probes));
+  case Kind::self_contact:
+    if (!event.of.empty())
+      check_name(text, section, "Of", event.of, "frame",
+                 names_in(device.frames));
+    return;
+  case Kind::pull_in:
+    if (!event.of.empty())
+      text.refuse(section, "Of",
+                  "a pull-in is of the whole device, not of a part");
+    return;
+  case Kind::tension_loss:
+  case Kind::wrinkling:
+  case Kind::slackness:
+  case Kind::breakdown:
+    break;
+  }
+  if (!event.of.empty())
     check_name(text, section, "Of", event.of, "film", names_in(device.films));
 }
 

@@ -170,10 +170,20 @@ void declare_dielectric(Section section, const CaseText& text,
   declare_law(section, text, "Permittivity", permittivity_laws(),
               material.permittivity_law, material.dielectric.permittivity,
               "law of the permittivity");
-  section.optional("Breakdown strength", material.dielectric.breakdown_strength,
+  section.optional("Breakdown strength",
+                   material.dielectric.breakdown.reference,
                    number_or(positive(), "V/m", "none",
                              std::numeric_limits<double>::infinity()),
-                   "largest true field that the film stands");
+                   "largest true field that the film stands, where all "
+                   "factors of its law are 1");
+  section.optional("Breakdown law", material.dielectric.breakdown.factors,
+                   strength_factors(),
+                   "what multiplies the strength: stretch^r, "
+                   "(thickness/h0)^-n with the current thickness, "
+                   "(rate/R0)^m with the rate of voltage over undeformed "
+                   "thickness kept within the bounds, or a law of the film's "
+                   "temperature; outside the range of a law an event of "
+                   "breakdown ends the run");
 }
 
 void declare_material(Declarations& all, Section& section, const CaseText& text,

@@ -73,6 +73,9 @@ Format<EventDescription::Kind> event_kind()
                        {"wrinkling", Kind::wrinkling},
                        {"slackness", Kind::slackness},
                        {"breakdown", Kind::breakdown},
+                       {"pull-in", Kind::pull_in},
+                       {"snap-through", Kind::snap_through},
+                       {"self-contact", Kind::self_contact},
                        {"probe above", Kind::probe_above},
                        {"probe below", Kind::probe_below}});
 }
@@ -81,20 +84,26 @@ void declare_event(Section& section, EventDescription& event)
 {
   section.required("Kind", event.kind, event_kind(), "what is watched for");
   section.optional("Of", event.of,
-                   text("the name of a film or probe, or empty for all films"),
+                   text("the name of a film, frame or probe, or empty"),
                    "the film of a tension loss, wrinkling, slackness or "
-                   "breakdown, the probe of the others");
-  section.optional("Threshold", event.threshold,
-                   number(any(),
-                          "Pa for a tension loss, wrinkling or slackness, "
-                          "else the probe's SI unit"),
-                   "smallest principal stress of a taut film, largest one of a "
-                   "slack film, or the value that the probe passes; not used "
-                   "by breakdown");
+                   "breakdown, empty for all; the frame of a self-contact, "
+                   "empty for all; nothing for a pull-in, which is of the "
+                   "device; the probe of the others");
+  section.optional(
+      "Threshold", event.threshold,
+      number(any(), "Pa for a tension loss, wrinkling or slackness, m for a "
+                    "self-contact, dimensionless for a pull-in, the probe's "
+                    "SI unit per s for a snap-through, else the probe's SI "
+                    "unit"),
+      "smallest principal stress of a taut film, largest one of a slack film; "
+      "gap between faces of frames that touch; share of its stiffness against "
+      "the voltage that a device has at pull-in (with creep above 0: it ends "
+      "before the last of it is lost); speed of the probe in a snap-through; "
+      "or the value that the probe passes; not used by breakdown");
   section.optional("Quantile", event.quantile,
                    number(within(0, 1), "dimensionless"),
                    "share of the film's area that may be beyond the "
-                   "threshold");
+                   "threshold; events of films only, other than pull-in");
   section.optional("Fatal", event.fatal, yes_no(),
                    "whether the event ends the run");
 }

@@ -14,7 +14,7 @@ EventsWriter::EventsWriter(const std::string& file, const std::size_t rows)
     : table_(file,
              {"time [s]", "event", "kind", "place", "x [m]", "y [m]", "z [m]",
               "direction x", "direction y", "direction z", "value", "threshold",
-              "at start", "fatal"},
+              "margin", "at start", "fatal"},
              rows)
 {
 }
@@ -29,6 +29,7 @@ void EventsWriter::write(const study::EventRecord& event)
     fields.push_back(to_field(component));
   fields.push_back(to_field(event.value));
   fields.push_back(to_field(event.threshold));
+  fields.push_back(to_field(event.margin));
   fields.push_back(to_word(event.at_start));
   fields.push_back(to_word(event.fatal));
   table_.write(fields);

@@ -63,11 +63,23 @@ double compute_true_field(const SymmetricTensor2<double>& C,
   return std::abs(nominal_field) * std::sqrt(compute_determinant(C));
 }
 
+double compute_strength(const Dielectric& dielectric,
+                        const SymmetricTensor2<double>& C,
+                        const Exposure& exposure)
+{
+  const double area_stretch = std::sqrt(compute_determinant(C));
+  return compute_strength(dielectric.breakdown,
+                          {area_stretch, exposure.thickness / area_stretch,
+                           exposure.temperature, exposure.field_rate});
+}
+
 double compute_breakdown_margin(const Dielectric& dielectric,
                                 const SymmetricTensor2<double>& C,
-                                double nominal_field)
+                                const Exposure& exposure)
 {
-  return 1. -
-         compute_true_field(C, nominal_field) / dielectric.breakdown_strength;
+  if (exposure.nominal_field == 0.)
+    return 1.;
+  return 1. - compute_true_field(C, exposure.nominal_field) /
+                  compute_strength(dielectric, C, exposure);
 }
 } // namespace taut::material

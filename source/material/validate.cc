@@ -102,12 +102,47 @@ void validate(const StretchPermittivity& law)
   require_finite(where, "cubic stretch coefficient", law.cubic);
 }
 
+const std::string strength = "law of the breakdown strength";
+
+void validate(const ValidRange& range, const std::string& quantity)
+{
+  require_not_negative(strength, "lowest " + quantity, range.lowest);
+  require(range.highest > range.lowest, strength, "highest " + quantity,
+          range.highest, "above the lowest");
+}
+
+void validate(const StretchStrength& law)
+{
+  require_finite(strength, "exponent of the stretch", law.exponent);
+  validate(law.range, "stretch");
+}
+
+void validate(const ThicknessStrength& law)
+{
+  require_positive(strength, "reference thickness (m)", law.reference);
+  require_finite(strength, "exponent of the thickness", law.exponent);
+  validate(law.range, "thickness (m)");
+}
+
+/// Its numbers were checked when it was read.
+void validate(const TemperatureStrength&) {}
+
+void validate(const RateStrength& law)
+{
+  require_positive(strength, "reference rate (V/(m s))", law.reference);
+  require_finite(strength, "exponent of the rate", law.exponent);
+  require_positive(strength, "lowest rate (V/(m s))", law.bounds.lowest);
+  validate(law.bounds, "rate (V/(m s))");
+}
+
 void validate(const Dielectric& dielectric)
 {
   std::visit([](const auto& law) { validate(law); }, dielectric.permittivity);
-  require(dielectric.breakdown_strength > 0., "dielectric",
-          "breakdown strength (V/m)", dielectric.breakdown_strength,
+  require(dielectric.breakdown.reference > 0., "dielectric",
+          "breakdown strength (V/m)", dielectric.breakdown.reference,
           "positive (infinity for none)");
+  for (const StrengthFactor& factor : dielectric.breakdown.factors)
+    std::visit([](const auto& law) { validate(law); }, factor);
 }
 } // namespace
 

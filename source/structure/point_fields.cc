@@ -1,9 +1,12 @@
+#include <taut/base/exceptions.h>
 #include <taut/material/principal.h>
 #include <taut/material/tension_field.h>
 #include <taut/structure/point_fields.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
 namespace taut::structure
 {
@@ -22,6 +25,7 @@ struct Point
   const fe::FilmSection& film;
   /// Of its networks.
   const std::vector<Metric>& internal;
+  double field_rate; ///< |d(V/H)/dt| (V/(m s))
 };
 
 /// F = sum_a x_a (x) G_a.
@@ -64,6 +68,12 @@ Direction push_forward(const Gradient& F, const std::array<double, 2>& line)
 double get_nominal_field(const Point& point)
 {
   return std::sqrt(point.law.field.nominal_squared);
+}
+
+material::Exposure get_exposure(const Point& point)
+{
+  return {get_nominal_field(point), point.field_rate, point.film.thickness,
+          point.law.field.temperature};
 }
 
 bool has_tension_field(const Point& point)
@@ -156,6 +166,15 @@ void read_internal(const fe::FilmCells& cells, const double* internal,
   }
 }
 
+double compute_field_rate(const fe::FilmCells& cells, const LoadState& loads,
+                          const fe::LawSlot& slot)
+{
+  if (slot.electrode < 0)
+    return 0;
+  return std::abs(loads.voltage_rates[slot.electrode]) /
+         cells.films()[slot.film].thickness;
+}
+
 /// Calls function(point) for every point of this rank.
 template <typename Function>
 void for_each_point(const Structure& structure, const LoadState& loads,
@@ -168,15 +187,53 @@ void for_each_point(const Structure& structure, const LoadState& loads,
   for (unsigned int b = 0; b < cells.batches().size(); ++b)
   {
     const fe::FilmBatch& batch = cells.batches()[b];
-    const fe::FilmSection& film = cells.films()[cells.slots()[batch.slot].film];
+    const fe::LawSlot& slot = cells.slots()[batch.slot];
+    const fe::FilmSection& film = cells.films()[slot.film];
+    const double field_rate = compute_field_rate(cells, loads, slot);
     for (unsigned int lane = 0; lane < batch.n_cells; ++lane)
       for (unsigned int q = 0; q < n; ++q)
       {
         const unsigned int cell = batch.cells[lane];
         read_internal(cells, internal, cell, q, A);
-        function(Point{cell * n + q, b, lane, q, laws[batch.slot], film, A});
+        function(Point{cell * n + q, b, lane, q, laws[batch.slot], film, A,
+                       field_rate});
       }
   }
+}
+
+/// The same for a function that asks laws with a range. Throws on every rank,
+/// with the place, where one is left on any.
+template <typename Function>
+void for_each_point_within_laws(const Structure& structure,
+                                const LoadState& loads, const double* internal,
+                                const Function& function)
+{
+  const fe::FilmCells& cells = structure.cells();
+  std::string refusal;
+  for_each_point(structure, loads, internal,
+                 [&](const Point& point)
+                 {
+                   if (!refusal.empty())
+                     return;
+                   try
+                   {
+                     function(point);
+                   }
+                   catch (const StepRejected& rejected)
+                   {
+                     const auto place = cells.mesh_point(
+                         point.index / cells.element().n_nodes, point.q);
+                     refusal = std::string(rejected.what()) + "; near (" +
+                               std::to_string(place[0]) + ", " +
+                               std::to_string(place[1]) + ", " +
+                               std::to_string(place[2]) + ") m of the mesh";
+                   }
+                 });
+  const auto refusals =
+      dealii::Utilities::MPI::all_gather(structure.communicator(), refusal);
+  for (const std::string& one : refusals)
+    if (!one.empty())
+      throw StepRejected(one);
 }
 
 std::size_t count_points(const Structure& structure)
@@ -187,6 +244,20 @@ std::size_t count_points(const Structure& structure)
 Metric compute_metric(const Gradient& F)
 {
   return {dot(F[0], F[0]), dot(F[1], F[1]), dot(F[0], F[1])};
+}
+
+/// What is only shown does not end a run.
+double show_breakdown_margin(const Point& point, const Metric& C)
+{
+  try
+  {
+    return material::compute_breakdown_margin(point.law.elastomer->dielectric,
+                                              C, get_exposure(point));
+  }
+  catch (const StepRejected&)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 PointFields make_point_fields(const Point& point, const Gradient& F)
@@ -203,10 +274,9 @@ PointFields make_point_fields(const Point& point, const Gradient& F)
     fields.stretch_directions[i] = push_forward(F, stretches.directions[i]);
     fields.stress_directions[i] = push_forward(F, stresses.directions[i]);
   }
-  const double field = get_nominal_field(point);
-  fields.true_field = material::compute_true_field(state.metric, field);
-  fields.breakdown_margin = material::compute_breakdown_margin(
-      point.law.elastomer->dielectric, state.metric, field);
+  fields.true_field =
+      material::compute_true_field(state.metric, get_nominal_field(point));
+  fields.breakdown_margin = show_breakdown_margin(point, state.metric);
   fields.thickness = point.film.thickness /
                      std::sqrt(material::compute_determinant(state.metric));
   fields.tension = state.tension;
@@ -237,6 +307,33 @@ std::vector<CriticalValues> compute_critical_values(Structure& structure,
       {
         const auto& [xx, yy, xy] = metric[point.index];
         values[point.index] = make_critical_values(point, {xx, yy, xy});
+      });
+  return values;
+}
+
+std::vector<BreakdownValues> compute_breakdown_values(Structure& structure,
+                                                      const LoadState& loads,
+                                                      const double* u,
+                                                      const double* internal)
+{
+  const auto metric = fe::compute_wrinkled_metric(
+      structure.cells(), structure.make_laws(loads, Networks::as_given),
+      structure.compute_positions(loads, u), internal);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<BreakdownValues> values(count_points(structure), {1, infinity});
+  for_each_point_within_laws(
+      structure, loads, internal,
+      [&](const Point& point)
+      {
+        const auto exposure = get_exposure(point);
+        if (exposure.nominal_field == 0)
+          return;
+        const auto& [xx, yy, xy] = metric[point.index];
+        const Metric C = {xx, yy, xy};
+        const auto& dielectric = point.law.elastomer->dielectric;
+        values[point.index] = {
+            material::compute_breakdown_margin(dielectric, C, exposure),
+            material::compute_strength(dielectric, C, exposure)};
       });
   return values;
 }

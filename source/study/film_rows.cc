@@ -1,3 +1,4 @@
+#include <taut/base/exceptions.h>
 #include <taut/study/film_rows.h>
 
 #include <algorithm>
@@ -6,8 +7,8 @@
 namespace taut::study
 {
 FilmRows::FilmRows(structure::StructureSystem& system,
-                   structure::Probes& probes)
-    : system_(system), probes_(probes)
+                   structure::Probes& probes, structure::Watches& watches)
+    : system_(system), probes_(probes), watches_(watches)
 {
 }
 
@@ -21,6 +22,9 @@ std::vector<Column> FilmRows::make_columns() const
         "dead load energy", "dissipated energy", "lost energy", "work",
         "energy balance"})
     columns.push_back({name, "J"});
+  for (const std::size_t event : watches_.with_margin_curve())
+    columns.push_back(
+        {"margin " + system_.structure().device().events[event].name, "1"});
   return columns;
 }
 
@@ -69,7 +73,24 @@ std::vector<double> FilmRows::make_row(const double time, const double* state)
   row.insert(row.end(), {energies.kinetic, energies.stored, energies.frames,
                          energies.electric, energies.dead_loads, dissipated,
                          lost, work, balance});
+  for (const std::size_t event : watches_.with_margin_curve())
+    row.push_back(show_margin(event, time, state));
   return row;
+}
+
+/// NaN outside the range of a law: that the event cannot be watched there is
+/// for the run to say, which needs its last row.
+double FilmRows::show_margin(const std::size_t event, const double time,
+                             const double* state)
+{
+  try
+  {
+    return watches_.compute_margin(event, time, state);
+  }
+  catch (const StepRejected&)
+  {
+    return std::nan("");
+  }
 }
 
 double FilmRows::balance_relative() const

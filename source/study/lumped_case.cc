@@ -166,9 +166,11 @@ EventRecord make_event_record(const LumpedResonatorDescription& device,
   {
     record.kind = "breakdown";
     record.threshold = device.breakdown_strength;
+    record.margin = 1 - record.value / record.threshold;
     return record;
   }
   record.kind = "tension_loss";
+  record.margin = record.value / device.shear_modulus;
   if (event.failure == ResonatorFailure::loss_of_tension_1)
     record.direction = {1, 0, 0};
   else

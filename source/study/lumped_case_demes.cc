@@ -128,6 +128,7 @@ EventRecord make_event_record(const LumpedDemesDescription& device,
   record.point = {nan, nan, nan};
   record.direction = {nan, nan, nan};
   record.value = row.film_force;
+  record.margin = nan;
   record.at_start = event.at_start;
   return record;
 }

@@ -67,11 +67,15 @@ void read_dielectric(const Film& film, const std::string& file,
     refuse(film, file,
            "the lumped model knows only a constant permittivity, and that of "
            "the film's material depends on the stretch");
-  if (!std::isfinite(dielectric.breakdown_strength))
+  if (!dielectric.breakdown.factors.empty())
+    refuse(film, file,
+           "the lumped model knows only a constant breakdown strength, and "
+           "that of the film's material follows a law");
+  if (!std::isfinite(dielectric.breakdown.reference))
     refuse(film, file,
            "the lumped model needs the Breakdown strength of the material");
   resonator.relative_permittivity = constant->relative;
-  resonator.breakdown_strength = dielectric.breakdown_strength;
+  resonator.breakdown_strength = dielectric.breakdown.reference;
 }
 } // namespace
 

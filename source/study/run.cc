@@ -32,6 +32,12 @@ std::string get_kind(const structure::EventDescription& event)
     return "slackness";
   case Kind::breakdown:
     return "breakdown";
+  case Kind::pull_in:
+    return "pull_in";
+  case Kind::snap_through:
+    return "snap_through";
+  case Kind::self_contact:
+    return "self_contact";
   case Kind::probe_above:
     return "probe_above";
   default:
@@ -49,6 +55,17 @@ make_system(const Case& run_case, structure::Structure& structure)
   return std::make_unique<structure::QuasiStaticSystem>(structure, path);
 }
 
+/// Static paths of relaxed films stay relaxed.
+structure::Networks get_networks(const Case& run_case)
+{
+  const ProcedureDescription& procedure = run_case.procedure;
+  const bool is_path = procedure.analysis == Analysis::equilibrium ||
+                       procedure.analysis == Analysis::continuation;
+  return is_path && procedure.start == structure::Start::relaxed
+             ? structure::Networks::relaxed
+             : structure::Networks::as_given;
+}
+
 /// One run of a film case.
 class FilmRun
 {
@@ -57,7 +74,8 @@ public:
           RunOutput& output)
       : case_(run_case), output_(output),
         system_(make_system(run_case, structure)), probes_(*system_),
-        watches_(*system_, probes_), rows_(*system_, probes_),
+        watches_(*system_, probes_, get_networks(run_case)),
+        rows_(*system_, probes_, watches_),
         history_times_(make_output_times(run_case.procedure,
                                          run_case.output.history_intervals,
                                          run_case.output.history_times)),
@@ -171,6 +189,7 @@ void FilmRun::write_event(const time::Event& event, const double* state)
   record.direction = report.direction;
   record.value = report.value;
   record.threshold = report.threshold;
+  record.margin = report.margin;
   record.at_start = event.at_start;
   record.fatal = description.fatal;
   output_.write_event(record);

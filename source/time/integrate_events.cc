@@ -24,7 +24,8 @@ std::vector<Event> EventFinder::check(const double time, const double* state,
     const bool fires = condition.is_armed && condition.value < 0;
     if (fires)
       events.push_back({i, time, at_start});
-    condition.is_armed = condition.value > 0 || (condition.is_armed && !fires);
+    condition.is_armed = condition.value > watches_[i].recovered ||
+                         (condition.is_armed && !fires);
   }
   return events;
 }

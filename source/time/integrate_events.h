@@ -7,7 +7,7 @@
 namespace taut::time
 {
 /// Knows which watches are armed and finds when they fire. A watch that fired
-/// is armed again once its value has been positive.
+/// is armed again once its value has been above what it must recover to.
 class EventFinder
 {
 public:

@@ -70,7 +70,7 @@ TEST(Parameters, FilmsReceiveTheMaterialTheyName)
   EXPECT_EQ(std::get<material::NeoHookean>(elastomer.networks[0].spring)
                 .shear_modulus,
             10e3);
-  EXPECT_EQ(elastomer.dielectric.breakdown_strength, 1e8);
+  EXPECT_EQ(elastomer.dielectric.breakdown.reference, 1e8);
   EXPECT_EQ(std::get<material::ConstantPermittivity>(
                 elastomer.dielectric.permittivity)
                 .relative,

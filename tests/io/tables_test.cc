@@ -68,12 +68,13 @@ TEST(Events, RowSaysWhatWhereAndWhen)
   event.point = {{1, 2, 0}};
   event.direction.fill(std::nan(""));
   event.value = -1;
+  event.margin = .25;
   event.fatal = true;
   EventsWriter(folder.get("events.csv")).write(event);
   const std::string content = read_file(folder.get("events.csv"));
   EXPECT_EQ(content.substr(content.find('\n') + 1),
-            "0.5,slack,tension_loss,left + right,1,2,0,nan,nan,nan,-1,0,false,"
-            "true\n");
+            "0.5,slack,tension_loss,left + right,1,2,0,nan,nan,nan,-1,0,0.25,"
+            "false,true\n");
 }
 
 TEST(RunSummary, HoldsTheKeysOfTheContract)

@@ -74,8 +74,26 @@ TEST(Validate, RefusesDielectrics)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   expect_refused({springs, {}, {ConstantPermittivity{4e-11}}, 0.},
                  {"relative permittivity", "4e-11", "1 (vacuum) or more"});
-  expect_refused({springs, {}, {ConstantPermittivity{4.}, 0.}, 0.},
+  expect_refused({springs, {}, {ConstantPermittivity{4.}, {0.}}, 0.},
                  {"breakdown strength"});
+  const auto expect_refused_law =
+      [&](const StrengthFactor& factor, const std::vector<std::string>& words)
+  {
+    expect_refused(
+        {springs, {}, {ConstantPermittivity{4.}, {1e8, {factor}}}, 0.}, words);
+  };
+  expect_refused_law(StretchStrength{nan, {}}, {"exponent of the stretch"});
+  expect_refused_law(StretchStrength{1., {-1., 5.}}, {"lowest stretch", "-1"});
+  expect_refused_law(StretchStrength{1., {5., 5.}}, {"highest stretch"});
+  expect_refused_law(ThicknessStrength{0., 1., {}}, {"reference thickness"});
+  expect_refused_law(ThicknessStrength{1e-3, nan, {}},
+                     {"exponent of the thickness"});
+  expect_refused_law(ThicknessStrength{1e-3, 1., {1e-3, 1e-4}},
+                     {"highest thickness"});
+  expect_refused_law(RateStrength{0., .1, {1., 2.}}, {"reference rate"});
+  expect_refused_law(RateStrength{1., nan, {1., 2.}}, {"exponent of the rate"});
+  expect_refused_law(RateStrength{1., .1, {0., 2.}}, {"lowest rate"});
+  expect_refused_law(RateStrength{1., .1, {2., 1.}}, {"highest rate"});
   expect_refused({springs, {}, {StretchPermittivity{-1.}}, 0.},
                  {"permittivity at high temperature"});
   expect_refused({springs, {}, {StretchPermittivity{1., -1.}}, 0.},

@@ -56,7 +56,7 @@ struct Sheet
     auto film =
         testing::make_film(material::NeoHookean{modulus}, thickness, stretches);
     film.material.networks = {{material::NeoHookean{network_modulus}, 1.}};
-    film.material.dielectric = {material::ConstantPermittivity{4}, strength};
+    film.material.dielectric = {material::ConstantPermittivity{4}, {strength}};
     device.films = {film};
     device.electrodes = {
         testing::make_electrode("left", Signal::constant(voltage))};

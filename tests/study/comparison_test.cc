@@ -84,7 +84,7 @@ TEST(Limits, BreakdownAgrees)
 {
   Case weak = make_case();
   for (auto& film : weak.device.films)
-    film.material.dielectric.breakdown_strength = 40e6;
+    film.material.dielectric.breakdown.reference = 40e6;
   const auto comparison = compare(weak, make_mesh());
   ASSERT_TRUE(comparison.film_failure);
   EXPECT_EQ(comparison.film_failure->kind, "breakdown");

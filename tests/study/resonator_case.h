@@ -24,7 +24,7 @@ inline material::Elastomer make_elastomer()
     elastomer.networks.push_back(
         {material::Gent{shear_modulus / 6, 67}, relaxation_time});
   elastomer.dielectric.permittivity = material::ConstantPermittivity{4.7};
-  elastomer.dielectric.breakdown_strength = 155e6;
+  elastomer.dielectric.breakdown.reference = 155e6;
   elastomer.density = 960;
   return elastomer;
 }

@@ -165,10 +165,17 @@ const std::vector<Refusal> refusals = {
     {"NoStrength",
      [](Case& c)
      {
-       left(c).material.dielectric.breakdown_strength =
+       left(c).material.dielectric.breakdown.reference =
            std::numeric_limits<double>::infinity();
      },
      "Breakdown strength"},
+    {"StrengthThatFollowsALaw",
+     [](Case& c)
+     {
+       left(c).material.dielectric.breakdown.factors = {
+           material::StretchStrength{.6, {1, 6}}};
+     },
+     "constant breakdown strength"},
     {"OtherThickness", [](Case& c) { right(c).thickness = 2e-3; },
      "one thickness"},
     {"OtherPreStretch",

@@ -7,9 +7,10 @@ namespace taut::io
 {
 /// events.csv, one row per event, in the order of time:
 /// `time [s],event,kind,place,x [m],y [m],z [m],direction x,direction y,
-/// direction z,value,threshold,at start,fatal`. x, y, z is a point of the mesh;
-/// value and threshold have the unit of their quantity (Pa for lost tension,
-/// V/m for breakdown); what an event does not have is nan.
+/// direction z,value,threshold,margin,at start,fatal`. x, y, z is a point of
+/// the mesh; value and threshold have the unit of their quantity (see
+/// structure::EventReport); the margin is dimensionless and 0 at an event that
+/// was located (see structure::Watches); what an event does not have is nan.
 class EventsWriter
 {
 public:

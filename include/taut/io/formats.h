@@ -2,7 +2,7 @@
 
 #include <taut/base/exceptions.h>
 #include <taut/base/signal.h>
-#include <taut/material/temperature_law.h>
+#include <taut/material/breakdown_law.h>
 
 #include <array>
 #include <functional>
@@ -86,6 +86,8 @@ Format<Signal> signal(const std::string& unit);
 /// Errors of read: BadInput also for factors that are not positive in the law's
 /// range.
 Format<material::TemperatureLaw> temperature_law();
+/// What a breakdown strength depends on, see material::BreakdownLaw.
+Format<std::vector<material::StrengthFactor>> strength_factors();
 /// Any of x, y, z separated by commas, or `none`.
 Format<std::array<bool, 3>> directions();
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <taut/material/breakdown_law.h>
 #include <taut/material/isotropic.h>
 
 #include <cmath>
-#include <limits>
 #include <variant>
 
 namespace taut::material
@@ -34,8 +34,8 @@ using PermittivityLaw = std::variant<ConstantPermittivity, StretchPermittivity>;
 struct Dielectric
 {
   PermittivityLaw permittivity = ConstantPermittivity{1.};
-  /// Largest true field in V/m; infinity if there is none.
-  double breakdown_strength = std::numeric_limits<double>::infinity();
+  /// Of the largest true field.
+  BreakdownLaw breakdown = {};
 };
 
 /// What loads the dielectric at prescribed voltage V.

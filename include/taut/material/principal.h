@@ -28,9 +28,23 @@ Principal compute_principal_stresses(const SymmetricTensor2<double>& C,
 double compute_true_field(const SymmetricTensor2<double>& C,
                           double nominal_field);
 
+/// What a film with metric C is exposed to.
+struct Exposure
+{
+  double nominal_field; ///< V/H (V/m)
+  double field_rate;    ///< |d(V/H)/dt| (V/(m s))
+  double thickness;     ///< undeformed, H (m)
+  double temperature;   ///< (K)
+};
+
+/// E_B in V/m at a point. Errors: StepRejected, see breakdown_law.h.
+double compute_strength(const Dielectric& dielectric,
+                        const SymmetricTensor2<double>& C,
+                        const Exposure& exposure);
+
 /// 1 - true field/breakdown strength: 1 without voltage or strength, 0 at
-/// breakdown.
+/// breakdown. Errors: StepRejected, see breakdown_law.h; none without voltage.
 double compute_breakdown_margin(const Dielectric& dielectric,
                                 const SymmetricTensor2<double>& C,
-                                double nominal_field);
+                                const Exposure& exposure);
 } // namespace taut::material

@@ -29,6 +29,18 @@ std::vector<CriticalValues> compute_critical_values(Structure& structure,
                                                     const double* u,
                                                     const double* internal);
 
+/// How far a film is from breaking down.
+struct BreakdownValues
+{
+  double margin;   ///< 1 - true field/strength; 1 where there is no field
+  double strength; ///< (V/m); infinity where there is no field
+};
+/// Errors: StepRejected, with the place, outside the range of a law.
+std::vector<BreakdownValues> compute_breakdown_values(Structure& structure,
+                                                      const LoadState& loads,
+                                                      const double* u,
+                                                      const double* internal);
+
 /// How the film carries at a point. Without tension field it counts which
 /// principal stresses are not positive.
 enum class Tension : unsigned int
@@ -51,9 +63,10 @@ struct PointFields
   /// wrinkled film.
   std::array<double, 2> stresses;
   std::array<Direction, 2> stress_directions;
-  double true_field;       ///< |V| J/H (V/m)
-  double breakdown_margin; ///< 1 - true field/strength
-  double thickness;        ///< current, H/J (m)
+  double true_field; ///< |V| J/H (V/m)
+  /// 1 - true field/strength; NaN outside the range of the strength's law.
+  double breakdown_margin;
+  double thickness; ///< current, H/J (m)
   Tension tension;
   /// By how much the film is wider than the place it has, relative to that,
   /// where it is shortened most; 0 without tension field.

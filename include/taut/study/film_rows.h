@@ -1,6 +1,6 @@
 #pragma once
 
-#include <taut/structure/probes.h>
+#include <taut/structure/watches.h>
 #include <taut/study/run.h>
 
 #include <vector>
@@ -8,11 +8,13 @@
 namespace taut::study
 {
 /// The rows of a film run's history: time, probes, energies and the residual
-/// of their balance, which it keeps count of.
+/// of their balance, which it keeps count of, and the margins of its events
+/// (structure::Watches::with_margin_curve).
 class FilmRows
 {
 public:
-  FilmRows(structure::StructureSystem& system, structure::Probes& probes);
+  FilmRows(structure::StructureSystem& system, structure::Probes& probes,
+           structure::Watches& watches);
 
   std::vector<Column> make_columns() const;
 
@@ -34,8 +36,11 @@ public:
   double balance_relative() const;
 
 private:
+  double show_margin(std::size_t event, double time, const double* state);
+
   structure::StructureSystem& system_;
   structure::Probes& probes_;
+  structure::Watches& watches_;
   double initial_energy_ = 0;
   double balance_absolute_ = 0;
   double balance_scale_ = 0;

@@ -25,8 +25,10 @@ struct EventRecord
 {
   double time = 0;  ///< (s)
   std::string name; ///< of the event in the case
-  std::string kind; ///< tension_loss, breakdown, probe_above, probe_below
-  /// Film or probe; on a tie all of them, separated by " + ".
+  /// tension_loss, wrinkling, slackness, breakdown, pull_in, snap_through,
+  /// self_contact, probe_above or probe_below.
+  std::string kind;
+  /// Films, frames or probe; on a tie all of them, separated by " + ".
   std::string place;
   /// Where in the mesh (m); NaN if the event has no point.
   std::array<double, 3> point{};
@@ -35,6 +37,8 @@ struct EventRecord
   std::array<double, 3> direction{};
   double value = 0; ///< of the quantity, in its own unit
   double threshold = 0;
+  /// Dimensionless, 0 at the event; see structure::Watches. NaN if it has none.
+  double margin = 0;
   bool at_start = false;
   bool fatal = false;
 };

@@ -79,8 +79,9 @@ public:
 };
 
 /// A condition that the run watches. It fires when `value` falls through zero,
-/// and again once it has been positive in between. The signs are compared at
-/// the ends of steps: a dip inside one step goes unseen.
+/// and again once it has been above `recovered` in between: a value that hovers
+/// about zero is heard once. The signs are compared at the ends of steps: a dip
+/// inside one step goes unseen.
 struct Watch
 {
   std::string name;
@@ -88,6 +89,8 @@ struct Watch
   std::function<double(double time, const double* state)> value;
   /// The run stops at the event.
   bool fatal = false;
+  /// Not negative.
+  double recovered = 0;
 };
 
 struct Event
