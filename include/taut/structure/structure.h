@@ -164,7 +164,8 @@ public:
                  bool inertia, fe::LinearSolver::Kind kind);
   /// d = tangent^{-1} r on the free unknowns. Not a copy: may be one array.
   void solve(const double* r, double* d);
-  /// Negative eigenvalues of the last factorised symmetric tangent.
+  /// Negative eigenvalues of the last factorised tangent, of its symmetric part
+  /// where it has none itself.
   int count_negative_eigenvalues();
   /// result = tangent x, without a factorisation.
   void multiply_tangent(const LoadState& loads, const double* u,
@@ -237,6 +238,7 @@ public:
   void prolong(const double* free, fe::NodalVector& nodal) const;
 
 private:
+  void set_pre_stretches(const LoadState& loads);
   void make_cells();
   fe::PressureLoad make_pressure(const std::vector<std::string>& groups) const;
   void make_weight();

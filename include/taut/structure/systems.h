@@ -27,6 +27,7 @@ public:
   double reference_force() const override;
   double round_off_force() const override;
   bool takes_full_steps() const override;
+  std::optional<int> count_negative_eigenvalues() override;
 
 private:
   Structure& structure_;
