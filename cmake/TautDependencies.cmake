@@ -65,6 +65,14 @@ target_link_libraries(taut_dealii INTERFACE
 target_compile_definitions(taut_dealii INTERFACE $<$<CONFIG:Debug>:DEBUG>
   OMPI_SKIP_MPICXX BOOST_NO_AUTO_PTR TBB_SUPPRESS_DEPRECATED_MESSAGES)
 
+# For the layer time, which needs nothing else of deal.II's company.
+add_library(taut_slepc INTERFACE)
+add_library(taut::slepc ALIAS taut_slepc)
+target_include_directories(taut_slepc SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
+set(TAUT_SLEPC_LIBRARIES ${TAUT_DEALII_LIBRARIES})
+list(FILTER TAUT_SLEPC_LIBRARIES INCLUDE REGEX "lib(petsc|slepc)\\.so$")
+target_link_libraries(taut_slepc INTERFACE ${TAUT_SLEPC_LIBRARIES} MPI::MPI_C)
+
 add_library(taut_sundials INTERFACE)
 add_library(taut::sundials ALIAS taut_sundials)
 target_include_directories(taut_sundials SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})

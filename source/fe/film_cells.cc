@@ -159,6 +159,42 @@ void FilmCells::compute_geometry(const std::vector<Vector3>& mesh_positions)
     }
 }
 
+void FilmCells::set_pre_stretch(const unsigned int film,
+                                const std::array<double, 2>& pre_stretch)
+{
+  if (films_[film].pre_stretch == pre_stretch)
+    return;
+  const std::size_t n = element_.n_nodes;
+  const auto scale =
+      [n](const std::array<double, 2>& stretch, const double* plain_gradients,
+          const double* plain_volumes, double* gradients, double* volumes)
+  {
+    for (std::size_t i = 0; i < 16 * n * n; ++i)
+      gradients[i] = stretch[i / 8 % 2] * plain_gradients[i];
+    for (std::size_t i = 0; i < 8 * n; ++i)
+      volumes[i] = plain_volumes[i] / (stretch[0] * stretch[1]);
+  };
+  if (plain_gradients_.empty())
+  {
+    plain_gradients_ = gradients_;
+    plain_volumes_ = volumes_;
+    for (std::size_t b = 0; b < batches_.size(); ++b)
+    {
+      const auto& [first, second] =
+          films_[slots_[batches_[b].slot].film].pre_stretch;
+      scale({1 / first, 1 / second}, &gradients_[b * 16 * n * n],
+            &volumes_[b * 8 * n], &plain_gradients_[b * 16 * n * n],
+            &plain_volumes_[b * 8 * n]);
+    }
+  }
+  films_[film].pre_stretch = pre_stretch;
+  for (std::size_t b = 0; b < batches_.size(); ++b)
+    if (slots_[batches_[b].slot].film == film)
+      scale(pre_stretch, &plain_gradients_[b * 16 * n * n],
+            &plain_volumes_[b * 8 * n], &gradients_[b * 16 * n * n],
+            &volumes_[b * 8 * n]);
+}
+
 BatchGeometry FilmCells::geometry(const unsigned int batch) const
 {
   const unsigned int n = element_.n_nodes;

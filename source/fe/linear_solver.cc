@@ -34,9 +34,42 @@ public:
 private:
   Vec vector_ = nullptr;
 };
+
+/// A + A^T.
+class TwiceSymmetricPart
+{
+public:
+  explicit TwiceSymmetricPart(Mat matrix)
+  {
+    TAUT_PETSC(MatTranspose(matrix, MAT_INITIAL_MATRIX, &sum_));
+    TAUT_PETSC(MatAXPY(sum_, 1., matrix, DIFFERENT_NONZERO_PATTERN));
+  }
+  ~TwiceSymmetricPart()
+  {
+    MatDestroy(&sum_);
+  }
+  TwiceSymmetricPart(const TwiceSymmetricPart&) = delete;
+  TwiceSymmetricPart& operator=(const TwiceSymmetricPart&) = delete;
+  operator Mat() const
+  {
+    return sum_;
+  }
+
+private:
+  Mat sum_ = nullptr;
+};
+
+int count_negative_of_symmetric_part(Mat matrix)
+{
+  const TwiceSymmetricPart sum(matrix);
+  LinearSolver solver(sum, LinearSolver::Kind::symmetric);
+  solver.factorise();
+  return solver.count_negative_eigenvalues();
+}
 } // namespace
 
-LinearSolver::LinearSolver(Mat matrix, const Kind kind) : matrix_(matrix)
+LinearSolver::LinearSolver(Mat matrix, const Kind kind)
+    : matrix_(matrix), kind_(kind)
 {
   MPI_Comm comm;
   TAUT_PETSC(PetscObjectGetComm(reinterpret_cast<PetscObject>(matrix), &comm));
@@ -99,6 +132,8 @@ void LinearSolver::solve(const double* b, double* x)
 
 int LinearSolver::count_negative_eigenvalues()
 {
+  if (kind_ == Kind::general)
+    return count_negative_of_symmetric_part(matrix_);
   PC preconditioner = nullptr;
   Mat factor = nullptr;
   PetscInt negative = 0;

@@ -1,3 +1,4 @@
+#include <taut/base/exceptions.h>
 #include <taut/material/at_temperature.h>
 #include <taut/structure/film_laws.h>
 #include <taut/structure/structure.h>
@@ -16,6 +17,32 @@ Device add_fibres(Device device)
   return device;
 }
 
+namespace
+{
+double compute_pre_stretch(const Film& film, const double share,
+                           const unsigned int direction)
+{
+  return 1 + share * (film.pre_stretch[direction] - 1);
+}
+} // namespace
+
+void Structure::set_pre_stretches(const LoadState& loads)
+{
+  for (unsigned int film = 0; film < loads.pre_stretch_shares.size(); ++film)
+  {
+    const double share = loads.pre_stretch_shares[film];
+    const Film& description = device_.films[film];
+    const std::array<double, 2> pre_stretch{
+        {compute_pre_stretch(description, share, 0),
+         compute_pre_stretch(description, share, 1)}};
+    if (!(pre_stretch[0] > 0 && pre_stretch[1] > 0))
+      throw StepRejected("the share " + std::to_string(share) +
+                         " of the pre-stretch of film '" + description.name +
+                         "' leaves no stretch");
+    cells_->set_pre_stretch(film, pre_stretch);
+  }
+}
+
 std::vector<fe::BatchLaw> Structure::make_laws(const LoadState& loads,
                                                const Networks networks,
                                                const double time_step) const
@@ -31,6 +58,16 @@ std::vector<fe::BatchLaw> Structure::make_laws(const LoadState& loads,
     law.field.temperature = loads.film_temperatures[film];
     if (networks == Networks::relaxed)
       law.elastomer = &relaxed_[film];
+    // Fibres hold the width of the frame, however far the film is stretched.
+    const double share = loads.pre_stretch_shares[film];
+    if (law.elastomer->fibres && share != 1)
+    {
+      auto elastomer = std::make_shared<material::Elastomer>(*law.elastomer);
+      elastomer->fibres->rest_stretch =
+          compute_pre_stretch(device_.films[film], share, 1);
+      law.owned = elastomer;
+      law.elastomer = law.owned.get();
+    }
     if (material::is_constant(thermal) && time_step == 0)
       continue;
     law.owned =

@@ -58,6 +58,7 @@ void Structure::prolong(const double* free, fe::NodalVector& nodal) const
 const fe::NodalVector& Structure::compute_positions(const LoadState& loads,
                                                     const double* u)
 {
+  set_pre_stretches(loads);
   positions_.zero_out_ghost_values();
   for (fe::LocalNode node = 0; node < nodes().n_owned; ++node)
     for (unsigned int c = 0; c < 3; ++c)

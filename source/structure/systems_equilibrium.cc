@@ -72,6 +72,11 @@ bool Equilibrium::takes_full_steps() const
   return !structure_.frames().empty();
 }
 
+std::optional<int> Equilibrium::count_negative_eigenvalues()
+{
+  return structure_.count_negative_eigenvalues();
+}
+
 double Equilibrium::reference_force() const
 {
   return structure_.internal_force_norm();

@@ -60,6 +60,10 @@ public:
             std::vector<FilmCell> cells,
             const std::vector<std::array<double, 3>>& mesh_positions);
 
+  /// Gives a film another pre-stretch: the mesh stays the shape of its frame.
+  void set_pre_stretch(unsigned int film,
+                       const std::array<double, 2>& pre_stretch);
+
   const ReferenceElement& element() const
   {
     return element_;
@@ -137,6 +141,8 @@ private:
   std::size_t max_batch_internal_ = 0;
   dealii::AlignedVector<double> gradients_;   ///< [batch][q][a][2][lane]
   dealii::AlignedVector<double> volumes_;     ///< [batch][q][lane]
+  /// Both without any pre-stretch; empty until a film gets another one.
+  dealii::AlignedVector<double> plain_gradients_, plain_volumes_;
   std::vector<std::array<double, 9>> frames_; ///< [cell][q] point, two axes
 };
 } // namespace taut::fe

@@ -31,11 +31,14 @@ public:
   /// x = matrix^{-1} b on the owned entries; `b` and `x` may be the same.
   void solve(const double* b, double* x);
 
-  /// Negative eigenvalues of the factorised symmetric matrix (Sylvester).
+  /// Negative eigenvalues of the factorised symmetric matrix (Sylvester); of
+  /// the symmetric part of a general one, which is factorised for it. Errors:
+  /// StepRejected if that part is singular.
   int count_negative_eigenvalues();
 
 private:
   _p_Mat* matrix_;
+  const Kind kind_;
   _p_KSP* solver_ = nullptr;
 };
 

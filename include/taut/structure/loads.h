@@ -28,7 +28,7 @@ struct LoadState
   std::vector<double> frame_temperatures, frame_temperature_rates; ///< (K)
   std::vector<double> film_humidities, film_humidity_rates;        ///< (0 to 1)
   std::vector<double> frame_humidities, frame_humidity_rates;      ///< (0 to 1)
-  std::vector<double> pre_stretch_shares;                          ///< (0 to 1)
+  std::vector<double> pre_stretch_shares; ///< of the way to the pre-stretch
 };
 
 /// Reads the signals between two of their kinks as the smooth functions they

@@ -186,7 +186,8 @@ public:
   /// The same for a motion with circuits: takes the residuals of the rates of
   /// their charges (A), by electrode, to changes of the charges (C).
   void solve(const double* r, double* d, std::vector<double>& circuits);
-  /// Negative eigenvalues of the last factorised symmetric tangent.
+  /// Negative eigenvalues of the last factorised tangent, of its symmetric part
+  /// where it has none itself.
   int count_negative_eigenvalues();
   /// result = tangent x, without a factorisation.
   void multiply_tangent(const LoadState& loads, const double* u,
@@ -259,6 +260,7 @@ public:
   void prolong(const double* free, fe::NodalVector& nodal) const;
 
 private:
+  void set_pre_stretches(const LoadState& loads);
   void make_cells();
   void make_source_scales();
   void add_source_powers(const LoadState& loads, Powers& powers) const;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace taut::time
@@ -23,6 +24,13 @@ public:
   virtual void prepare(double load, const double* u) = 0;
   /// d = (d residual / d u)^{-1} r; `r` and `d` may be the same array.
   virtual void solve(const double* r, double* d) = 0;
+  /// Negative eigenvalues of the derivative at the last prepare, of its
+  /// symmetric part if it is not symmetric: 0 if the equilibrium is stable.
+  /// Nothing if the problem cannot tell. Collective.
+  virtual std::optional<int> count_negative_eigenvalues()
+  {
+    return std::nullopt;
+  }
   /// A force (N) in whose units "small residual" is measured: the norm of the
   /// internal nodal forces before they cancel, at the state of the last
   /// compute_residual. Positive.
