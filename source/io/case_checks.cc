@@ -231,6 +231,44 @@ void check_lumped_resonator(const CaseText& text,
                             invariant - 3, resonator.limit));
 }
 
+/// A key that this control of an electrode has no use for, or lacks.
+void check_key(const CaseText& text, const structure::Electrode& electrode,
+               const std::string& key, const bool is_used, const bool is_needed)
+{
+  const SectionPath section{"Electrode " + electrode.name};
+  using Control = structure::Electrode::Control;
+  const std::string control = electrode.control == Control::voltage ? "voltage"
+                              : electrode.control == Control::charge
+                                  ? "charge"
+                                  : "circuit";
+  const bool is_given = text.find(section, key) != nullptr;
+  if (is_given && !is_used)
+    text.refuse(
+        section, key,
+        fmt::format("an electrode with Control = {} has no {}", control, key));
+  if (!is_given && is_needed)
+    text.refuse(section, key,
+                fmt::format("it is missing: an electrode with Control = {} "
+                            "needs it",
+                            control));
+}
+
+void check_electrode(const CaseText& text,
+                     const structure::Electrode& electrode)
+{
+  using Control = structure::Electrode::Control;
+  const bool charge = electrode.control == Control::charge;
+  const bool circuit = electrode.control == Control::circuit;
+  check_key(text, electrode, "Voltage", !charge, !charge);
+  check_key(text, electrode, "Charge", charge, charge);
+  check_key(text, electrode, "Series resistance", circuit, circuit);
+  check_key(text, electrode, "Leakage resistance", circuit, false);
+  if (circuit && !(electrode.series_resistance > 0))
+    text.refuse({"Electrode " + electrode.name}, "Series resistance",
+                "without resistance the source holds the voltage: take "
+                "Control = voltage, or a positive resistance");
+}
+
 void check_device(const CaseText& text, const CaseDraft& draft)
 {
   const structure::Device& device = draft.content.device;
@@ -244,6 +282,8 @@ void check_device(const CaseText& text, const CaseDraft& draft)
   check_groups_unique(text, "Rigid body", "Groups", device.bodies);
   for (const Film& film : device.films)
     check_film(text, film, draft.content.procedure);
+  for (const structure::Electrode& electrode : device.electrodes)
+    check_electrode(text, electrode);
   for (const structure::Support& support : device.supports)
     check_support(text, support);
   for (const structure::EdgeLoad& load : device.edge_loads)

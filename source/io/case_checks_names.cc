@@ -148,6 +148,7 @@ Referred referred_by(const Probe::Kind kind, const structure::Device& device)
     return {"bar", names_in(device.bars)};
   case Probe::Kind::voltage:
   case Probe::Kind::charge:
+  case Probe::Kind::current:
   case Probe::Kind::capacitance:
     return {"electrode", names_in(device.electrodes)};
   case Probe::Kind::reaction:

@@ -1,6 +1,7 @@
 #include <taut/io/case_sections.h>
 
 #include <cmath>
+#include <limits>
 
 namespace taut::io
 {
@@ -62,8 +63,26 @@ void declare_electrode(Section& section, Electrode& electrode)
 {
   section.required("Surfaces", electrode.groups, names(surfaces),
                    "parts of films coated on both faces");
-  section.required("Voltage", electrode.voltage, signal("V"),
-                   "voltage between the faces");
+  using Control = Electrode::Control;
+  section.optional("Control", electrode.control,
+                   choice<Control>({{"voltage", Control::voltage},
+                                    {"charge", Control::charge},
+                                    {"circuit", Control::circuit}}),
+                   "what the source holds: the voltage, the charge, or a "
+                   "voltage behind a resistor while the film leaks");
+  section.optional("Voltage", electrode.voltage, signal("V"),
+                   "voltage between the faces, in a circuit that of the "
+                   "source; needed unless Control = charge");
+  section.optional("Charge", electrode.charge, signal("C"),
+                   "charge of the face at the higher potential, needed if "
+                   "Control = charge");
+  section.optional("Series resistance", electrode.series_resistance,
+                   number(not_negative(), "Ohm"),
+                   "between source and film, needed if Control = circuit");
+  section.optional("Leakage resistance", electrode.leakage_resistance,
+                   number_or(positive(), "Ohm", "none",
+                             std::numeric_limits<double>::infinity()),
+                   "through the film, in a circuit");
 }
 
 void declare_support(Section& section, Support& support)

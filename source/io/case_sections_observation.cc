@@ -18,6 +18,7 @@ Format<Probe::Kind> probe_kind()
                        {"bar rotation", Kind::bar_rotation},
                        {"voltage", Kind::voltage},
                        {"charge", Kind::charge},
+                       {"current", Kind::current},
                        {"capacitance", Kind::capacitance},
                        {"reaction", Kind::reaction},
                        {"mean stretch", Kind::mean_stretch},

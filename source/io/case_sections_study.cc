@@ -77,6 +77,10 @@ void declare_integrator(Section section, const Entry* analysis,
   section.optional("Internal tolerance", options.internal_tolerance,
                    number(positive(), "dimensionless"),
                    "local error of an internal variable in quasi-static runs");
+  section.optional("Charge tolerance", options.global_tolerance,
+                   number(positive(), "dimensionless"),
+                   "local error of the charge in a circuit, over that of the "
+                   "framed film at the field (V/H) sqrt(eps/G) = 1");
   section.optional("Weight of rates", options.weight_of_rates,
                    number(positive(), "dimensionless"),
                    "weight of velocities in the error, and in transient runs "

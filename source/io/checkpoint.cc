@@ -205,8 +205,10 @@ StoredRun collect_run(const CriticalParameters& parameters,
   run.cells = gather_cells(structure, displacements,
                            has_velocities ? &velocities : nullptr,
                            system.internal(state));
-  run.scalars.assign(system.scalars(state),
-                     system.scalars(state) + system.layout().scalars);
+  // Both lie side by side at the end of the state.
+  const double* end = system.scalars(state) + system.layout().scalars;
+  run.scalars.assign(end - system.layout().scalars - system.layout().globals,
+                     end);
   return run;
 }
 

@@ -109,6 +109,8 @@ Structure::Structure(const Device& device, const fe::MeshData& mesh,
   make_weight();
   least_force_ = compute_least_force();
   round_off_force_ = compute_round_off_force();
+  // Growing would copy the vectors, which leaves their shares at ghosts out.
+  edges_.reserve(device_.edge_loads.size());
   for (const auto& load : device_.edge_loads)
     edges_.push_back(make_edge_load(load));
   for (const auto& pressure : device_.pressures)

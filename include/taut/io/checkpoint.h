@@ -46,7 +46,7 @@ struct StoredRun
   std::vector<CellState> cells; ///< in the order of their addresses
   /// Of the nodes of bars, frames and rigid bodies, like CellState's.
   std::vector<double> extra_displacements, extra_velocities;
-  std::vector<double> scalars;
+  std::vector<double> scalars; ///< behind the globals
 
   template <typename Archive>
   void serialize(Archive& archive, const unsigned int)
