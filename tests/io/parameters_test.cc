@@ -77,60 +77,6 @@ TEST(Parameters, FilmsReceiveTheMaterialTheyName)
             4.7);
 }
 
-TEST(Parameters, BreakdownFollowsItsLaw)
-{
-  const CaseOnDisk disk(small_case);
-  const auto read = [&](const std::string& law)
-  {
-    return read_case(disk.file(),
-                     {"Material rubber/Dielectric/Breakdown law = " + law})
-        .device.films.at(1)
-        .material.dielectric.breakdown;
-  };
-  EXPECT_TRUE(read("constant").factors.empty());
-  const auto law = read("stretch(0.63; 1, 6)*thickness( 1e-3,.25; 0, 1e-2 ) * "
-                        "temperature(arrhenius(300, 5e3)) * "
-                        "rate(1e6, 0.1; 1, 1e9)");
-  EXPECT_EQ(law.reference, 1e8);
-  ASSERT_EQ(law.factors.size(), 4u);
-  const auto& stretch = std::get<material::StretchStrength>(law.factors[0]);
-  EXPECT_EQ(stretch.exponent, .63);
-  EXPECT_EQ(stretch.range.highest, 6);
-  const auto& thickness = std::get<material::ThicknessStrength>(law.factors[1]);
-  EXPECT_EQ(thickness.reference, 1e-3);
-  EXPECT_EQ(thickness.exponent, .25);
-  EXPECT_EQ(thickness.range.lowest, 0);
-  EXPECT_EQ(std::get<material::ArrheniusLaw>(
-                std::get<material::TemperatureStrength>(law.factors[2]).law)
-                .activation_energy,
-            5e3);
-  const auto& rate = std::get<material::RateStrength>(law.factors[3]);
-  EXPECT_EQ(rate.reference, 1e6);
-  EXPECT_EQ(rate.bounds.lowest, 1);
-  const Format<std::vector<material::StrengthFactor>> format =
-      strength_factors();
-  for (const std::string text :
-       {"constant", "stretch(0.63; 1, 6) * thickness(0.001, 0.25; 0, 0.01)",
-        "rate(1e+06, 0.1; 1, 1e+09)", "temperature(arrhenius(300, 5000))"})
-    EXPECT_EQ(format.write(format.read(text)), text);
-}
-
-TEST(Parameters, EventsOfDevices)
-{
-  const CaseOnDisk disk(small_case);
-  using Kind = structure::EventDescription::Kind;
-  const auto read = [&](const std::string& kind, const std::string& of)
-  {
-    return read_case(disk.file(),
-                     {"Event slack/Kind = " + kind, "Event slack/Of = " + of})
-        .device.events.at(0)
-        .kind;
-  };
-  EXPECT_EQ(read("pull-in", ""), Kind::pull_in);
-  EXPECT_EQ(read("snap-through", "swing"), Kind::snap_through);
-  EXPECT_EQ(read("self-contact", ""), Kind::self_contact);
-}
-
 TEST(Parameters, WrinklesAndTheirEvents)
 {
   const auto read = [](const std::string& from, const std::string& to)
