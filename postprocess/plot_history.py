@@ -14,19 +14,24 @@ from taut_plots import plt
 
 # Later lines leave gaps through which equal ones are seen.
 STYLES = ["-", "--", "-.", ":"]
+MARGIN = "margin to failure"
 
 
 def group_by_unit(columns):
-    """Columns that are not zero throughout, by unit in order of appearance."""
+    """Columns that are not zero throughout, by unit in order of appearance.
+
+    The margins of events stand together, below numbers without a unit.
+    """
     groups = {}
     for name, unit, values in columns:
         if plots.largest(values) > 0:
-            groups.setdefault(unit, []).append((name, values))
+            key = MARGIN if name.startswith("margin ") else unit
+            groups.setdefault(key, []).append((name, values))
     return groups
 
 
 def plot_group(axes, times, unit, group):
-    factor, label = plots.choose_prefix(
+    factor, label = (1.0, MARGIN) if unit == MARGIN else plots.choose_prefix(
         unit, [value for _, values in group for value in values])
     for index, (name, values) in enumerate(group):
         axes.plot(times, [factor * value for value in values],

@@ -29,7 +29,7 @@ std::string get_tension_kind(const std::array<double, 3>& direction,
 std::string get_kind(const EventRecord& record,
                      const std::array<double, 3>& axis)
 {
-  if (record.kind == "tension_loss")
+  if (record.kind == "tension_loss" || record.kind == "wrinkling")
     return get_tension_kind(record.direction, axis);
   return record.kind == "breakdown" ? record.kind : record.name;
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <set>
 
+#include "run_events.h"
 #include "run_notes.h"
 #include "run_rest_shape.h"
 
@@ -18,32 +19,6 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 using structure::Analysis;
-
-std::string get_kind(const structure::EventDescription& event)
-{
-  using Kind = structure::EventDescription::Kind;
-  switch (event.kind)
-  {
-  case Kind::tension_loss:
-    return "tension_loss";
-  case Kind::wrinkling:
-    return "wrinkling";
-  case Kind::slackness:
-    return "slackness";
-  case Kind::breakdown:
-    return "breakdown";
-  case Kind::pull_in:
-    return "pull_in";
-  case Kind::snap_through:
-    return "snap_through";
-  case Kind::self_contact:
-    return "self_contact";
-  case Kind::probe_above:
-    return "probe_above";
-  default:
-    return "probe_below";
-  }
-}
 
 std::unique_ptr<structure::StructureSystem>
 make_system(const Case& run_case, structure::Structure& structure)
@@ -179,19 +154,8 @@ void FilmRun::write_event(const time::Event& event, const double* state)
   // What was active when the run was cut has been reported before.
   if (event.at_start && resumed_ && !description.fatal)
     return;
-  const auto report = watches_.report(event.watch, event.time, state);
-  EventRecord record;
-  record.time = event.time;
-  record.name = description.name;
-  record.kind = get_kind(description);
-  record.place = report.place;
-  record.point = report.point;
-  record.direction = report.direction;
-  record.value = report.value;
-  record.threshold = report.threshold;
-  record.margin = report.margin;
-  record.at_start = event.at_start;
-  record.fatal = description.fatal;
+  const EventRecord record = make_event_record(
+      description, event, watches_.report(event.watch, event.time, state));
   output_.write_event(record);
   ++progress_.event_rows;
   if (description.fatal)
@@ -290,7 +254,9 @@ void FilmRun::observe_path(const double time, const double* u,
       if (watches[i].fatal)
         summary_.status = Status::event;
     }
-    margins[i] = margin;
+    // What has not recovered counts as it was.
+    if (margin < 0 || margin > watches[i].recovered)
+      margins[i] = margin;
   }
 }
 

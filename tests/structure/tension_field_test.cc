@@ -1,5 +1,6 @@
 // Films that wrinkle, against closed forms and the twisted annulus.
 #include <taut/base/exceptions.h>
+#include <taut/structure/point_fields.h>
 #include <taut/structure/watches.h>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 #include <taut/study/comparison.h>
 
 #include <gtest/gtest.h>
+#include <study/lumped_records.h>
 #include <study/resonator_case.h>
 #include <study/silence.h>
 
@@ -109,6 +110,72 @@ TEST(Limits, LossOfTensionAcrossAgrees)
   ASSERT_TRUE(comparison.failure_difference);
   EXPECT_LT(std::abs(comparison.failure_difference->voltage), 1e-6);
   EXPECT_TRUE(comparison.failure_difference->same_place);
+}
+
+/// Films that may wrinkle, and stop as they do.
+Case make_wrinkling()
+{
+  Case result = make_case();
+  for (auto& film : result.device.films)
+    film.tension_field = true;
+  result.device.events = {testing::make_event(
+      "wrinkles", structure::EventDescription::Kind::wrinkling)};
+  return result;
+}
+
+TEST(Limits, FilmsWrinkleWhereTheLumpedModelLosesTension)
+{
+  // Along 1 in both films, and along 2 in the active one.
+  Case narrow = make_wrinkling();
+  for (auto& film : narrow.device.films)
+    film.pre_stretch = {4, 1.2};
+  for (const auto& comparison :
+       {compare(make_wrinkling(), make_mesh()),
+        compare(narrow, testing::make_rectangle(2, 1, 1, 0.16, 0.024))})
+  {
+    ASSERT_TRUE(comparison.failure_difference);
+    EXPECT_LT(std::abs(comparison.failure_difference->voltage), 1e-6);
+    EXPECT_LT(std::abs(comparison.failure_difference->time), 1e-6);
+    EXPECT_TRUE(comparison.failure_difference->same_kind);
+    EXPECT_TRUE(comparison.failure_difference->same_place);
+  }
+}
+
+TEST(Margins, StandInTheHistoryAndEndAtZero)
+{
+  Case film_case = make_case();
+  film_case.output.write_fields = false;
+  film_case.procedure.start = structure::Start::relaxed;
+  structure::Probe probe;
+  probe.name = "field";
+  probe.kind = structure::Probe::Kind::max_true_field;
+  probe.of = "left";
+  film_case.device.probes = {probe};
+  structure::EventDescription passage;
+  passage.name = "high field";
+  passage.kind = structure::EventDescription::Kind::probe_above;
+  passage.of = "field";
+  passage.threshold = 10e6;
+  film_case.device.events.push_back(passage);
+  testing::Model model(film_case.device, make_mesh());
+  lumped_records::Records records;
+  const auto summary = run_film(film_case, *model.structure, records);
+  EXPECT_EQ(summary.status, Status::event);
+  EXPECT_EQ(records.columns.back().name, "margin spark");
+  EXPECT_EQ(records.columns.back().unit, "1");
+  ASSERT_GT(records.rows.size(), 20u);
+  EXPECT_EQ(records.get(0, "margin spark"), 1);
+  EXPECT_GT(records.get(0, "margin slack"), 0.1);
+  for (std::size_t row = 0; row < records.rows.size(); ++row)
+    EXPECT_NEAR(records.get(row, "margin spark"),
+                1 - records.get(row, "field") / 155e6, 1e-12);
+  EXPECT_NEAR(records.get(records.rows.size() - 1, "margin slack"), 0, 1e-9);
+  ASSERT_EQ(records.events.size(), 2u);
+  EXPECT_EQ(records.events[0].name, "high field");
+  EXPECT_NEAR(records.events[0].margin, 0, 1e-12);
+  EXPECT_EQ(records.events[1].kind, "tension_loss");
+  EXPECT_NEAR(records.events[1].margin, 0, 1e-9);
+  EXPECT_NEAR(records.events[1].value, 0, 1e-9 * shear_modulus);
 }
 
 Case make_motion(const double bar_mass, const double tolerance)

@@ -111,6 +111,20 @@ TEST(Events, AWatchIsArmedAgainOnceItIsPositive)
     EXPECT_NEAR(record.events[i].time / period, i + .25, 1e-6);
 }
 
+TEST(Events, AWatchThatHoversIsHeardOnce)
+{
+  // u falls through .95 of its amplitude and comes back to it; it recovers to
+  // .04 above that once in a period, to .06 never.
+  const auto count = [](const double recovered)
+  {
+    Watch watch = watch_position(.95);
+    watch.recovered = recovered;
+    return swing({watch}, 1e-9, 2.5 * period).events.size();
+  };
+  EXPECT_EQ(count(.04), 3u);
+  EXPECT_EQ(count(.06), 1u);
+}
+
 TEST(Events, NegativeAtTheStartIsReportedOnce)
 {
   const Record record = swing({watch_position(1.5)}, 1e-7, period);

@@ -293,10 +293,10 @@ struct EventDescription : Named
     probe_below   ///< probe falls below threshold
   };
   Kind kind = Kind::tension_loss;
-  /// Film (empty = all films) or probe.
+  /// Film or frame (empty = all of them) or probe; empty for a pull-in.
   std::string of;
-  double threshold = 0;
-  /// Share of the film's area that may be beyond the threshold.
+  double threshold = 0; ///< see EventReport::value
+  /// Share of the film's volume that may be beyond the threshold.
   double quantile = 1e-3;
   /// Stops the run with exit code 4.
   bool fatal = false;
