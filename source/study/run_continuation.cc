@@ -51,7 +51,7 @@ EventRecord make_record(const std::string& kind, const double parameter)
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   EventRecord record;
   record.time = record.value = parameter;
-  record.name = record.place = "path";
+  record.name = "path";
   record.kind = kind;
   record.point = record.direction = {{none, none, none}};
   record.threshold = none;

@@ -24,8 +24,10 @@ struct Column
 struct EventRecord
 {
   double time = 0;  ///< (s)
-  std::string name; ///< of the event in the case
-  std::string kind; ///< tension_loss, breakdown, probe_above, probe_below
+  std::string name; ///< of the event in the case, or "path"
+  /// tension_loss, breakdown, probe_above, probe_below; of a continuation
+  /// limit_point, bifurcation, branch_switch, landing, without a threshold.
+  std::string kind;
   /// Film or probe; on a tie all of them, separated by " + ".
   std::string place;
   /// Where in the mesh (m); NaN if the event has no point.
