@@ -85,10 +85,36 @@ void check_pre_stretch(const CaseText& text, const Film& film,
                               1 / (first * first * second * second) - 3));
 }
 
+/// Masses and viscous flow know one pre-stretch only.
+void check_pre_stretch_share(const CaseText& text, const Film& film,
+                             const study::ProcedureDescription& procedure)
+{
+  using structure::Analysis;
+  const Signal& share = film.pre_stretch_share;
+  const bool is_static = procedure.analysis == Analysis::equilibrium ||
+                         procedure.analysis == Analysis::continuation;
+  if (is_static || (share.is_constant() && share.value(0) == 1))
+    return;
+  text.refuse({"Film " + film.name}, "Pre-stretch share",
+              "a film is stretched in its frame only in static analyses: "
+              "'equilibrium' and 'continuation' are allowed");
+}
+
+/// A path needs a side to turn to.
+void check_continuation(const CaseText& text,
+                        const study::ProcedureDescription& procedure)
+{
+  const auto& direction = procedure.continuation.direction;
+  if (std::hypot(direction[0], direction[1], direction[2]) == 0)
+    text.refuse({"Procedure", "Continuation"}, "Direction",
+                "the direction has no length");
+}
+
 void check_film(const CaseText& text, const Film& film,
                 const study::ProcedureDescription& procedure)
 {
   check_pre_stretch(text, film, procedure.start);
+  check_pre_stretch_share(text, film, procedure);
   check_temperature(text, {"Film " + film.name}, film.temperature,
                     film.thermal.modulus,
                     "the law of the Modulus of its material", procedure);
@@ -274,6 +300,7 @@ void check_device(const CaseText& text, const CaseDraft& draft)
   const structure::Device& device = draft.content.device;
   check_completeness(text, draft.content);
   check_method(text, draft.content.procedure);
+  check_continuation(text, draft.content.procedure);
   check_groups_unique(text, "Film", "Surfaces", device.films);
   check_groups_unique(text, "Electrode", "Surfaces", device.electrodes);
   check_groups_unique(text, "Bar", "Lines", device.bars);

@@ -45,6 +45,10 @@ void declare_film(Section& section, Film& film, std::string& material)
                    two_numbers(positive(), "dimensionless"),
                    "stretches along and across Axis that brought the film "
                    "into the frame");
+  section.optional("Pre-stretch share", film.pre_stretch_share,
+                   signal("dimensionless"),
+                   "of the way from 1 to Pre-stretch, in static analyses: a "
+                   "ramp stretches the film in its frame");
   section.optional("Axis", film.axis, three_numbers(any(), "dimensionless"),
                    "direction of the first pre-stretch, of any length, "
                    "projected into the film");

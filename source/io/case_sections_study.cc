@@ -12,9 +12,11 @@ void declare_procedure(Section section, ProcedureDescription& procedure)
   using structure::Start;
   section.optional("Analysis", procedure.analysis,
                    choice<Analysis>({{"equilibrium", Analysis::equilibrium},
+                                     {"continuation", Analysis::continuation},
                                      {"quasi-static", Analysis::quasi_static},
                                      {"transient", Analysis::transient}}),
-                   "static path, viscous flow without inertia, or motion");
+                   "static path, one that may turn back in time, viscous flow "
+                   "without inertia, or motion");
   section.optional("Start", procedure.start,
                    choice<Start>({{"relaxed", Start::relaxed},
                                   {"unrelaxed", Start::unrelaxed}}),
@@ -55,6 +57,30 @@ void declare_rest_shape(Section section, RestShapeDescription& rest)
   section.optional("Both branches", rest.both_branches, yes_no(),
                    "whether the shape on the other side is found and reported "
                    "as well");
+}
+
+void declare_continuation(Section section, ContinuationDescription& path)
+{
+  using Branch = ContinuationDescription::Branch;
+  section.optional("Steps", path.steps, count(1, 1000000),
+                   "the first step is this part of the time");
+  section.optional("Largest step", path.largest_step,
+                   number(within(1e-4, 1), "dimensionless"),
+                   "relative to the largest displacements so far and to the "
+                   "time from start to end");
+  section.optional("Most points", path.most_points, count(2, 1000000),
+                   "number of points after which the path ends");
+  section.optional("Branch", path.branch,
+                   choice<Branch>({{"primary", Branch::primary},
+                                   {"stable", Branch::stable}}),
+                   "at a bifurcation: straight on, or along the other branch "
+                   "where the path becomes unstable or turns back");
+  section.optional("Direction", path.direction,
+                   three_numbers(any(), "dimensionless"),
+                   "to which side another branch is taken, of any length");
+  section.optional("Backward", path.backward, yes_no(),
+                   "whether the path is also followed back, along what a "
+                   "device does: its jumps show the hysteresis");
 }
 
 /// `analysis` is the entry of Analysis, if there is one: it decides about the
@@ -310,6 +336,10 @@ void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
   declare_rest_shape(all.section({"Procedure", "Rest shape"},
                                  "the way to a Start shape = rest"),
                      content.procedure.rest_shape);
+  all.allow_section({"Procedure"}, "Continuation", false);
+  declare_continuation(all.section({"Procedure", "Continuation"},
+                                   "the way of Analysis = continuation"),
+                       content.procedure.continuation);
   declare_integrator(
       all.section({"Procedure", "Integrator"}, "how time is stepped"),
       text.find({"Procedure"}, "Analysis"), content.procedure.integrator);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace taut::io
 {
 FolderOutput::FolderOutput(const OutputFolder& folder,
@@ -55,6 +57,10 @@ void FolderOutput::write_event(const study::EventRecord& event)
   if (!is_first_)
     return;
   events_->write(event);
+  // The points of a path pass no threshold.
+  if (std::isnan(event.threshold))
+    return say(fmt::format("t = {:.9g} s: {} of the {}", event.time, event.kind,
+                           event.name));
   say(fmt::format("t = {:.6g} s: {} in {}, {:.6g} against {:.6g}{}", event.time,
                   event.name, event.place, event.value, event.threshold,
                   event.at_start ? " (already at the start)" : ""));

@@ -78,8 +78,9 @@ lumped::ResonatorRun run_lumped(const LumpedResonatorDescription& device,
                                 const ProcedureDescription& procedure,
                                 const std::vector<double>& output_times)
 {
-  if (procedure.analysis == structure::Analysis::equilibrium)
-    throw BadInput("the lumped resonator has no analysis 'equilibrium'; "
+  if (procedure.analysis == structure::Analysis::equilibrium ||
+      procedure.analysis == structure::Analysis::continuation)
+    throw BadInput("the lumped resonator has no static analysis; "
                    "'quasi-static' and 'transient' are allowed");
   const auto resonator = lumped::make_resonator(make_resonator_si(device));
   lumped::ResonatorRunOptions options;

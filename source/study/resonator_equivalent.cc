@@ -225,8 +225,9 @@ void check_comparable(const Case& film_case)
     throw BadInput("the case has no section 'Comparison' that says which "
                    "parts stand for those of the lumped model",
                    film_case.file, 0, "");
-  if (film_case.procedure.analysis == structure::Analysis::equilibrium)
-    throw BadInput("the lumped model has no analysis 'equilibrium'; "
+  if (film_case.procedure.analysis == structure::Analysis::equilibrium ||
+      film_case.procedure.analysis == structure::Analysis::continuation)
+    throw BadInput("the lumped model has no static analysis; "
                    "'quasi-static' and 'transient' are allowed",
                    film_case.file, 0, "Procedure/Analysis");
   check_parts(film_case);

@@ -1,15 +1,11 @@
 #include <taut/base/exceptions.h>
-#include <taut/structure/watches.h>
-#include <taut/study/film_rows.h>
-#include <taut/study/output_times.h>
-#include <taut/study/run.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <set>
 
+#include "run_continuation.h"
 #include "run_events.h"
+#include "run_film.h"
 #include "run_notes.h"
 #include "run_rest_shape.h"
 
@@ -41,55 +37,22 @@ structure::Networks get_networks(const Case& run_case)
              : structure::Networks::as_given;
 }
 
-/// One run of a film case.
-class FilmRun
+} // namespace
+
+FilmRun::FilmRun(const Case& run_case, structure::Structure& structure,
+                 RunOutput& output)
+    : case_(run_case), output_(output),
+      system_(make_system(run_case, structure)), probes_(*system_),
+      watches_(*system_, probes_, get_networks(run_case)),
+      rows_(*system_, probes_, watches_),
+      history_times_(make_output_times(run_case.procedure,
+                                       run_case.output.history_intervals,
+                                       run_case.output.history_times)),
+      field_times_(make_output_times(run_case.procedure,
+                                     run_case.output.field_intervals,
+                                     run_case.output.field_times))
 {
-public:
-  FilmRun(const Case& run_case, structure::Structure& structure,
-          RunOutput& output)
-      : case_(run_case), output_(output),
-        system_(make_system(run_case, structure)), probes_(*system_),
-        watches_(*system_, probes_, get_networks(run_case)),
-        rows_(*system_, probes_, watches_),
-        history_times_(make_output_times(run_case.procedure,
-                                         run_case.output.history_intervals,
-                                         run_case.output.history_times)),
-        field_times_(make_output_times(run_case.procedure,
-                                       run_case.output.field_intervals,
-                                       run_case.output.field_times))
-  {
-  }
-
-  RunSummary run(const std::optional<Checkpoint>& resume);
-
-private:
-  void start(const std::optional<Checkpoint>& resume);
-  void follow_path();
-  void integrate();
-  time::Schedule make_schedule() const;
-  time::Observer make_observer();
-  void write(double time, const double* state, bool is_last);
-  void write_event(const time::Event& event, const double* state);
-  void write_checkpoint(double time, const double* state);
-  void observe_path(double time, const double* u, std::vector<double>& margins);
-  void fail(const std::string& reason);
-  void finish(Clock::time_point began);
-
-  const Case& case_;
-  RunOutput& output_;
-  std::unique_ptr<structure::StructureSystem> system_;
-  structure::Probes probes_;
-  structure::Watches watches_;
-  FilmRows rows_;
-  const std::vector<double> history_times_, field_times_;
-  std::vector<double> state_;
-  RunProgress progress_;
-  RunSummary summary_;
-  /// Counters of the way to the rest shape.
-  std::map<std::string, double> rest_shape_;
-  double last_row_ = std::nan(""), last_frame_ = std::nan("");
-  bool resumed_ = false;
-};
+}
 
 void FilmRun::start(const std::optional<Checkpoint>& resume)
 {
@@ -134,18 +97,37 @@ void FilmRun::write(const double time, const double* state, const bool is_last)
   // The last time of a run may also be one of its output times, and the first
   // of a run that goes on is already written.
   if (is_due(history_times_) && time != last_row_)
-  {
-    last_row_ = time;
-    summary_.final_row = rows_.make_row(time, state);
-    output_.write_row(summary_.final_row);
-    ++progress_.history_rows;
-  }
-  if (case_.output.write_fields && is_due(field_times_) && time != last_frame_)
-  {
-    last_frame_ = time;
-    output_.write_fields(time, *system_, state);
-    ++progress_.field_frames;
-  }
+    write_row(time, state);
+  if (is_due(field_times_) && time != last_frame_)
+    write_frame(time, state);
+}
+
+void FilmRun::write_row(const double time, const double* state)
+{
+  last_row_ = time;
+  summary_.final_row = rows_.make_row(time, state);
+  summary_.final_row.insert(summary_.final_row.end(), path_values_.begin(),
+                            path_values_.end());
+  output_.write_row(summary_.final_row);
+  ++progress_.history_rows;
+}
+
+void FilmRun::write_frame(const double time, const double* state)
+{
+  if (!case_.output.write_fields)
+    return;
+  last_frame_ = time;
+  output_.write_fields(time, *system_, state);
+  ++progress_.field_frames;
+}
+
+std::vector<Column> FilmRun::make_columns() const
+{
+  auto columns = rows_.make_columns();
+  if (case_.procedure.analysis == Analysis::continuation)
+    for (const Column& column : make_continuation_columns())
+      columns.push_back(column);
+  return columns;
 }
 
 void FilmRun::write_event(const time::Event& event, const double* state)
@@ -236,81 +218,6 @@ void FilmRun::integrate()
     write(result.time, state_.data(), true);
 }
 
-void FilmRun::observe_path(const double time, const double* u,
-                           std::vector<double>& margins)
-{
-  std::copy(u, u + system_->structure().n_free(), state_.begin());
-  if (case_.procedure.start == structure::Start::relaxed)
-    system_->set_relaxed(time, state_.data());
-  system_->set_circuits_at_rest(time, state_.data());
-  write(time, state_.data(), true);
-  const auto watches = watches_.make_time_watches();
-  for (std::size_t i = 0; i < watches.size(); ++i)
-  {
-    const double margin = watches[i].value(time, state_.data());
-    if (margin < 0 && !(margins[i] < 0))
-    {
-      write_event({i, time, time == case_.procedure.start_time}, state_.data());
-      if (watches[i].fatal)
-        summary_.status = Status::event;
-    }
-    // What has not recovered counts as it was.
-    if (margin < 0 || margin > watches[i].recovered)
-      margins[i] = margin;
-  }
-}
-
-void FilmRun::follow_path()
-{
-  const ProcedureDescription& procedure = case_.procedure;
-  structure::Equilibrium problem(system_->structure(), system_->history(),
-                                 procedure.start == structure::Start::relaxed
-                                     ? structure::Networks::relaxed
-                                     : structure::Networks::as_given,
-                                 system_->internal(state_.data()));
-  std::vector<double> margins(case_.device.events.size(), 1.);
-  observe_path(procedure.start_time, state_.data(), margins);
-  std::vector<double> u(state_.begin(),
-                        state_.begin() + system_->structure().n_free());
-  // Load steps end at the kinks of the signals and where a row is asked for,
-  // too.
-  std::set<double> ends{procedure.end_time};
-  const double length = procedure.end_time - procedure.start_time;
-  for (unsigned int i = 1; i < procedure.load_steps; ++i)
-    ends.insert(procedure.start_time + length * i / procedure.load_steps);
-  for (const double kink :
-       system_->stop_times(procedure.start_time, procedure.end_time))
-    ends.insert(kink);
-  for (const auto* times :
-       {&case_.output.history_times, &case_.output.field_times})
-    for (const double time : *times)
-      if (time > procedure.start_time && time < procedure.end_time)
-        ends.insert(time);
-  time::PathOptions options;
-  options.newton.tolerance = procedure.newton_tolerance;
-  time::EquilibriumStatistics total;
-  for (const double end : ends)
-  {
-    if (summary_.status != Status::completed || output_.interrupted())
-      break;
-    options.first_step = options.largest_step = end - progress_.time;
-    options.smallest_step = 1e-6 * options.first_step;
-    const auto statistics = time::follow_path(
-        problem, progress_.time, end, u.data(), options,
-        [&](const double time, const double*) { progress_.time = time; });
-    total.iterations += statistics.iterations;
-    total.factorisations += statistics.factorisations;
-    total.residuals += statistics.residuals;
-    ++progress_.steps;
-    observe_path(end, u.data(), margins);
-    system_->history().enter_interval(end);
-  }
-  summary_.counters = {{"steps", progress_.steps},
-                       {"newton_iterations", total.iterations},
-                       {"factorisations", total.factorisations},
-                       {"evaluations", total.residuals}};
-}
-
 void FilmRun::fail(const std::string& reason)
 {
   summary_.status = Status::failed;
@@ -323,11 +230,12 @@ void FilmRun::fail(const std::string& reason)
 void FilmRun::finish(const Clock::time_point began)
 {
   summary_.time_reached = progress_.time;
-  summary_.columns = rows_.make_columns();
+  summary_.columns = make_columns();
   summary_.balance_absolute = rows_.balance_absolute();
   summary_.balance_relative = rows_.balance_relative();
   // A path through equilibria has no time in which work could be summed.
-  if (case_.procedure.analysis == Analysis::equilibrium)
+  if (case_.procedure.analysis == Analysis::equilibrium ||
+      case_.procedure.analysis == Analysis::continuation)
     summary_.balance_absolute = summary_.balance_relative = std::nan("");
   summary_.counters.insert(rest_shape_.begin(), rest_shape_.end());
   summary_.counters["unknowns"] = system_->structure().n_free_global();
@@ -338,12 +246,14 @@ void FilmRun::finish(const Clock::time_point began)
 RunSummary FilmRun::run(const std::optional<Checkpoint>& resume)
 {
   const auto began = Clock::now();
-  output_.begin(rows_.make_columns());
+  output_.begin(make_columns());
   try
   {
     start(resume);
     if (case_.procedure.analysis == Analysis::equilibrium)
       follow_path();
+    else if (case_.procedure.analysis == Analysis::continuation)
+      continue_path();
     else
       integrate();
   }
@@ -358,7 +268,6 @@ RunSummary FilmRun::run(const std::optional<Checkpoint>& resume)
   finish(began);
   return summary_;
 }
-} // namespace
 
 RunSummary run_film(const Case& run_case, structure::Structure& structure,
                     RunOutput& output, const std::optional<Checkpoint>& resume)

@@ -57,6 +57,8 @@ private:
   void begin();
   Stretch advance();
   PathState find_next();
+  std::optional<PathState> find_end();
+  void refuse_turn(const PathState& next) const;
   void rescale(PathState& next);
   Stretch examine(const PathState& next);
   void add_part(const PathState& a, const Found& b, Stretch& stretch);
@@ -119,13 +121,42 @@ PathState Curve::find_next()
         last_.tangent);
     return solver_.find_at(guess.parameter, guess, last_.tangent);
   }
+  if (const auto at_end = find_end())
+    return *at_end;
   const PathState next =
       solver_.find({last_.tangent, last_.x, step_},
                    add(last_.x, step_, last_.tangent), last_.tangent);
+  refuse_turn(next);
+  return next;
+}
+
+/// The end of the path if the next step would pass it: the path may have a
+/// corner there. Nothing if it is not so.
+std::optional<PathState> Curve::find_end()
+{
+  const double rest = end_ - last_.x.parameter;
+  const double share = rest / (step_ * last_.tangent.parameter);
+  if (!(share > 0 && share <= 1))
+    return std::nullopt;
+  try
+  {
+    const PathState state = solver_.find_at(
+        end_, add(last_.x, share * step_, last_.tangent), last_.tangent);
+    refuse_turn(state);
+    return state;
+  }
+  catch (const StepRejected&)
+  {
+    // It turns back before.
+    return std::nullopt;
+  }
+}
+
+void Curve::refuse_turn(const PathState& next) const
+{
   if (solver_.dot(next.tangent, last_.tangent) < too_wide_turn ||
       solver_.distance(last_, next) > longest_chord * step_)
     throw StepRejected("the path turns too much within a step");
-  return next;
 }
 
 void Curve::rescale(PathState& next)
@@ -161,8 +192,9 @@ void Curve::add_part(const PathState& a, const Found& b, Stretch& stretch)
   std::vector<Found> found;
   const auto add_crossing = [&](const double parameter, const Kind kind)
   {
-    if (parameter != a.x.parameter &&
-        (parameter - a.x.parameter) * (parameter - b.state.x.parameter) <= 0)
+    const double behind = parameter - a.x.parameter;
+    const double ahead = b.state.x.parameter - parameter;
+    if (behind * ahead > 0)
       found.push_back({kind, solver_.find_crossing(a, b.state, parameter)});
   };
   for (const double parameter : options_.parameters)

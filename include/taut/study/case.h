@@ -63,9 +63,10 @@ struct RestShapeDescription
 /// voltage, charge, pressure, support or pre-stretch makes it the parameter.
 struct ContinuationDescription
 {
-  /// Steps to the end, were the path straight: sets the first step.
+  /// The first step is this part of the range of the parameter.
   unsigned int steps = 20;
-  /// Longest step, relative to how far the path has come.
+  /// Longest step, relative to the largest displacements so far and to the
+  /// range of the parameter.
   double largest_step = 0.1;
   /// Number of converged points after which the path ends.
   unsigned int most_points = 1000;
@@ -78,8 +79,8 @@ struct ContinuationDescription
   Branch branch = Branch::primary;
   /// To which side the path turns (dimensionless, any length).
   std::array<double, 3> direction{{0, 0, 1}};
-  /// Returns to the start by load steps, along stable states, and so shows the
-  /// hysteresis.
+  /// Follows the path back from its end and tells the states that a device goes
+  /// through, which jumps where a stable part ends: the hysteresis.
   bool backward = false;
 };
 

@@ -24,9 +24,10 @@ struct Column
 struct EventRecord
 {
   double time = 0;  ///< (s)
-  std::string name; ///< of the event in the case
+  std::string name; ///< of the event in the case, or "path"
   /// tension_loss, wrinkling, slackness, breakdown, pull_in, snap_through,
-  /// self_contact, probe_above or probe_below.
+  /// self_contact, probe_above or probe_below; of a continuation limit_point,
+  /// bifurcation, branch_switch or landing, without a threshold.
   std::string kind;
   /// Films, frames or probe; on a tie all of them, separated by " + ".
   std::string place;
