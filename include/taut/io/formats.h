@@ -2,6 +2,7 @@
 
 #include <taut/base/exceptions.h>
 #include <taut/base/signal.h>
+#include <taut/material/humidity_law.h>
 #include <taut/material/temperature_law.h>
 
 #include <array>
@@ -86,6 +87,8 @@ Format<Signal> signal(const std::string& unit);
 /// Errors of read: BadInput also for factors that are not positive in the law's
 /// range.
 Format<material::TemperatureLaw> temperature_law();
+/// How a property depends on the relative humidity, likewise.
+Format<material::HumidityLaw> humidity_law();
 /// Any of x, y, z separated by commas, or `none`.
 Format<std::array<bool, 3>> directions();
 
