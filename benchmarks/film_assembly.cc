@@ -126,7 +126,7 @@ void tangent(benchmark::State& state)
 {
   Problem problem(state);
   const auto request = problem.make_request();
-  fe::TangentMatrix matrix(problem.structure.nodes(), problem.cells,
+  fe::TangentMatrix matrix(problem.structure.nodes(), problem.cells, {},
                            fe::TangentMatrix::Coupling::full);
   for (auto _ : state)
   {

@@ -1,8 +1,11 @@
 #include <taut/fe/film_assembly.h>
+#include <taut/material/limits.h>
 #include <taut/material/wrinkles.h>
 
 #include <deal.II/base/aligned_vector.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace taut::fe
@@ -11,12 +14,73 @@ namespace
 {
 using Buffer = dealii::AlignedVector<double>;
 
-std::array<double, 3> find_place(const FilmCells& cells,
-                                 const unsigned int batch,
-                                 const LimitCheck& check)
+/// Below zero if it is lost.
+double get_margin(const double margin)
 {
-  return cells.mesh_point(cells.batches()[batch].cells[check.lane],
-                          check.point);
+  return std::isnan(margin) ? -1. : margin;
+}
+
+/// Three of the numbers [..][3][lane].
+material::SymmetricTensor2<double>
+get_lane(const Buffer& tensors, const std::size_t index, const unsigned lane)
+{
+  const double* const first = tensors.data() + 24 * index + lane;
+  return {first[0], first[8], first[16]};
+}
+
+/// What is beyond its limit, in which cell of a batch.
+struct Excess
+{
+  unsigned int lane;
+  std::string text;
+};
+
+Excess find_excess(const FilmCells& cells, const BatchLaw& law,
+                   const unsigned int batch, const LimitCheck& check,
+                   const NodalVector& positions, const double* internal)
+{
+  if (check.wrinkles_grow)
+    return {check.lane, "the wrinkled film widens without end"};
+  const material::Elastomer& elastomer = *law.elastomer;
+  Buffer x(cells.nodal_size()), A(cells.internal_size());
+  Buffer C(24 * cells.element().n_nodes);
+  cells.gather(batch, positions, x.data());
+  cells.gather_internal(batch, internal, A.data());
+  compute_wrinkled_metric(cells.geometry(batch), law, x.data(), A.data(),
+                          C.data());
+  Excess excess{0, ""};
+  double least = std::numeric_limits<double>::infinity();
+  for (unsigned int lane = 0; lane < cells.batches()[batch].n_cells; ++lane)
+  {
+    const std::size_t n_networks = elastomer.networks.size();
+    std::vector<material::SymmetricTensor2<double>> inner;
+    for (std::size_t m = 0; m < n_networks; ++m)
+      inner.push_back(get_lane(A, n_networks * check.point + m, lane));
+    const auto metric = get_lane(C, check.point, lane);
+    const double margin = get_margin(
+        material::limit_margin(elastomer, metric, inner.data(), law.field));
+    if (margin < least)
+      excess = {lane, material::describe_limit(elastomer, metric, inner.data(),
+                                               law.field)};
+    least = std::min(margin, least);
+  }
+  return excess;
+}
+
+LimitReport make_report(const FilmCells& cells, const BatchLaw& law,
+                        const unsigned int batch, const LimitCheck& check,
+                        const NodalVector& positions, const double* internal)
+{
+  const FilmBatch& members = cells.batches()[batch];
+  LimitReport report{get_margin(check.margin),
+                     cells.slots()[members.slot].film};
+  if (report.margin > 0)
+    return report;
+  const Excess excess =
+      find_excess(cells, law, batch, check, positions, internal);
+  report.excess = excess.text;
+  report.place = cells.mesh_point(members.cells[excess.lane], check.point);
+  return report;
 }
 } // namespace
 
@@ -48,7 +112,7 @@ LimitReport add_internal_forces(const FilmCells& cells,
   Buffer A(cells.internal_size()), dA(cells.internal_size());
   powers.dissipation = 0;
   powers.permittivity.assign(cells.slots().size(), 0.);
-  LimitReport report{std::numeric_limits<double>::infinity(), {}, false};
+  LimitReport report;
   for (unsigned int batch = 0; batch < cells.batches().size(); ++batch)
   {
     const FilmBatch& members = cells.batches()[batch];
@@ -58,9 +122,9 @@ LimitReport add_internal_forces(const FilmCells& cells,
     const LimitCheck check =
         compute_forces(cells.geometry(batch), laws[members.slot], x.data(),
                        A.data(), f.data(), dA.data(), power);
-    if (!(check.margin >= report.margin))
-      report = {check.margin, find_place(cells, batch, check),
-                check.wrinkles_grow};
+    if (get_margin(check.margin) < report.margin)
+      report = make_report(cells, laws[members.slot], batch, check, positions,
+                           internal);
     cells.scatter_add(batch, f.data(), forces);
     cells.scatter_internal(batch, dA.data(), rates);
     for (unsigned int lane = 0; lane < members.n_cells; ++lane)

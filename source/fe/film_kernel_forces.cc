@@ -22,7 +22,7 @@ void relax_point(const BatchLaw& law, const Tensor* A, const unsigned int point,
   const auto state = find_wrinkles(law, C, A, S);
   C = state.metric;
   S = material::stress(*law.elastomer, C, A, law.field);
-  const Lanes margin = material::limit_margin(*law.elastomer, C, A);
+  const Lanes margin = material::limit_margin(*law.elastomer, C, A, law.field);
   const bool wrinkles_grow = largest(-margin) < 0 && any(!state.admissible);
   update_limit(wrinkles_grow ? select(state.admissible, margin, Lanes(-1.))
                              : margin,
@@ -49,7 +49,7 @@ LimitCheck compute_forces(const BatchGeometry& geometry, const BatchLaw& law,
     const auto F = make_deformation_gradient<n_nodes>(gradients, x);
     Tensor C = make_metric(F);
     Tensor S = material::stress(*law.elastomer, C, A, law.field);
-    const double margin = material::limit_margin(*law.elastomer, C, A);
+    const double margin = material::limit_margin(*law.elastomer, C, A, law.field);
     if (wrinkles(law, S, margin))
       relax_point(law, A, q, C, S, check);
     else

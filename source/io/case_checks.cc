@@ -1,5 +1,6 @@
 #include <taut/base/exceptions.h>
 #include <taut/io/case_checks.h>
+#include <taut/material/limits.h>
 
 #include <fmt/format.h>
 
@@ -76,13 +77,11 @@ void check_pre_stretch(const CaseText& text, const Film& film,
     internal.push_back(start == structure::Start::unrelaxed
                            ? strained
                            : material::relaxed_internal(network, C));
-  if (material::limit_margin(film.material, C, internal.data()) > 0)
-    return;
-  text.refuse({"Film " + film.name}, "Pre-stretch",
-              fmt::format("the pre-stretch reaches I1 - 3 = {:.6g}, which "
-                          "exceeds the limit of a spring of the material",
-                          first * first + second * second +
-                              1 / (first * first * second * second) - 3));
+  const std::string excess = material::describe_limit(
+      film.material, C, internal.data(), material::no_voltage);
+  if (!excess.empty())
+    text.refuse({"Film " + film.name}, "Pre-stretch",
+                "with the pre-stretch " + excess);
 }
 
 /// Masses and viscous flow know one pre-stretch only.
@@ -122,6 +121,13 @@ void check_film(const CaseText& text, const Film& film,
                     film.thermal.relaxation_time,
                     "the law of the Relaxation time of its material",
                     procedure);
+  for (const auto& [law, name] :
+       {std::pair(film.humidity_laws.modulus, "Modulus"),
+        std::pair(film.humidity_laws.relaxation_time, "Relaxation time"),
+        std::pair(film.humidity_laws.permittivity, "Permittivity")})
+    check_humidity(text, {"Film " + film.name}, film.humidity, law,
+                   "the law of the " + std::string(name) + " of its material",
+                   procedure);
   const auto& axis = film.axis;
   if (std::hypot(axis[0], axis[1], axis[2]) == 0)
     text.refuse({"Film " + film.name}, "Axis", "the direction has no length");

@@ -99,6 +99,8 @@ void check_frame(const CaseText& text, const Frame& frame,
   check_offset(text, frame, draft);
   check_temperature(text, {"Frame " + frame.name}, frame.temperature,
                     frame.modulus_law, "the Modulus law", content.procedure);
+  check_humidity(text, {"Frame " + frame.name}, frame.humidity,
+                 frame.humidity_law, "the Humidity law", content.procedure);
 }
 
 /// Only nodes of frames and rigid bodies have rotations.
@@ -200,12 +202,26 @@ void check_temperature(const CaseText& text, const SectionPath& section,
                        const std::string& law_name,
                        const study::ProcedureDescription& procedure)
 {
-  const material::TemperatureRange range = material::get_range(law);
+  const material::LawRange range = material::get_range(law);
   for (const double value : sample(temperature, procedure))
     if (value < range.lowest || value > range.highest)
       text.refuse(section, "Temperature",
                   fmt::format("the temperature reaches {:.6g} K, but {} holds "
                               "from {:.6g} K to {:.6g} K",
+                              value, law_name, range.lowest, range.highest));
+}
+
+void check_humidity(const CaseText& text, const SectionPath& section,
+                    const Signal& humidity, const material::HumidityLaw& law,
+                    const std::string& law_name,
+                    const study::ProcedureDescription& procedure)
+{
+  const material::LawRange range = material::get_range(law);
+  for (const double value : sample(humidity, procedure))
+    if (value < range.lowest || value > range.highest)
+      text.refuse(section, "Humidity",
+                  fmt::format("the relative humidity reaches {:.6g}, but {} "
+                              "holds from {:.6g} to {:.6g}",
                               value, law_name, range.lowest, range.highest));
 }
 

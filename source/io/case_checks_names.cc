@@ -63,6 +63,12 @@ material::Elastomer make_elastomer(const CaseText& text,
     elastomer.springs.push_back(spring.spring);
   for (const NamedNetwork& network : draft.networks)
     elastomer.networks.push_back(network.network);
+  for (const NamedFibreFamily& fibres : draft.fibre_families)
+  {
+    elastomer.fibres.push_back(fibres.family);
+    elastomer.fibres.back().direction = {
+        {std::cos(fibres.angle), std::sin(fibres.angle)}};
+  }
   elastomer.dielectric = draft.dielectric;
   elastomer.density = draft.density;
   try
@@ -95,6 +101,8 @@ void resolve_materials(const CaseText& text, CaseDraft& draft)
     const auto position = std::find(known.begin(), known.end(), name);
     film.material = elastomers[position - known.begin()];
     film.thermal = draft.materials[position - known.begin()].thermal;
+    film.humidity_laws =
+        draft.materials[position - known.begin()].humidity_laws;
   }
 }
 

@@ -25,6 +25,20 @@ subsection Material NAME
   subsection Network NAME
     set Law = neo-Hookean
   end
+  subsection Network NAME (stress-activated)
+    set Law = neo-Hookean
+    set Relaxation law = stress-activated
+  end
+  subsection Network NAME (stretch-activated)
+    set Law = neo-Hookean
+    set Relaxation law = stretch-activated
+  end
+  subsection Fibre family quadratic
+    set Law = quadratic
+  end
+  subsection Fibre family exponential
+    set Law = exponential
+  end
   subsection Dielectric
     set Permittivity = constant
   end

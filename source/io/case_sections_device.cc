@@ -54,6 +54,8 @@ void declare_film(Section& section, Film& film, std::string& material)
                    "projected into the film");
   section.optional("Temperature", film.temperature, signal("K"),
                    "temperature of the film");
+  section.optional("Humidity", film.humidity, signal("dimensionless"),
+                   "relative humidity of the air, from 0 to 1");
   section.optional("Fibre modulus", film.fibre_modulus,
                    number(not_negative(), "Pa"),
                    "of fibres across Axis, unstrained in the mesh, that hold "

@@ -99,6 +99,10 @@ void declare_frame(Section& section, const CaseText& text, Frame& frame,
                    "temperature of the frame");
   section.optional("Modulus law", frame.modulus_law, temperature_law(),
                    "factor on all stiffnesses");
+  section.optional("Humidity", frame.humidity, signal("dimensionless"),
+                   "relative humidity of the air, from 0 to 1");
+  section.optional("Humidity law", frame.humidity_law, humidity_law(),
+                   "factor on all stiffnesses, beside that of the Modulus law");
   section.optional("Mass damping", frame.mass_damping,
                    number(not_negative(), "1/s"),
                    "damping force over mass and velocity");

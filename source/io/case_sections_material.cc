@@ -109,6 +109,54 @@ const std::vector<Law<material::PermittivityLaw>>& permittivity_laws()
   return laws;
 }
 
+const std::vector<Law<material::RelaxationLaw>>& relaxation_laws()
+{
+  using material::RelaxationLaw;
+  static const std::vector<Law<RelaxationLaw>> laws = {
+      {"constant", [](Section&, RelaxationLaw& target)
+       { target.emplace<material::ConstantRelaxation>(); }},
+      {"stress-activated",
+       [](Section& section, RelaxationLaw& target)
+       {
+         auto& law = target.emplace<material::StressActivatedRelaxation>();
+         section.required("Activation stress", law.activation_stress,
+                          number(positive(), "Pa"),
+                          "sigma_0 of T = T_0 exp(-tau_e/sigma_0), tau_e the "
+                          "equivalent Kirchhoff stress of the network");
+       }},
+      {"stretch-activated", [](Section& section, RelaxationLaw& target)
+       {
+         auto& law = target.emplace<material::StretchActivatedRelaxation>();
+         section.required("Activation coefficient", law.coefficient,
+                          number(not_negative(), "dimensionless"),
+                          "k of T = T_0 exp(-k (I1 - 3)), I1 of the network's "
+                          "elastic part");
+       }}};
+  return laws;
+}
+
+const std::vector<Law<material::FibreLaw>>& fibre_laws()
+{
+  using material::FibreLaw;
+  static const std::vector<Law<FibreLaw>> laws = {
+      {"quadratic",
+       [](Section& section, FibreLaw& target)
+       {
+         auto& law = target.emplace<material::QuadraticFibres>();
+         section.required("Stiffness", law.stiffness, modulus(),
+                          "k1 of W = k1/2 e^2, e = I4 - 1 without dispersion");
+       }},
+      {"exponential", [](Section& section, FibreLaw& target)
+       {
+         auto& law = target.emplace<material::ExponentialFibres>();
+         section.required("Stiffness", law.stiffness, modulus(),
+                          "k1 of W = k1/(2 k2) (exp(k2 e^2) - 1)");
+         section.required("Exponent", law.exponent,
+                          number(positive(), "dimensionless"), "k2");
+       }}};
+  return laws;
+}
+
 /// Declares the key that selects a law, and the constants of the selected one.
 template <class Variant>
 void declare_law(Section& section, const CaseText& text, const std::string& key,
@@ -141,7 +189,12 @@ void declare_network(Section& section, const CaseText& text, NamedNetwork& item)
               item.network.spring, "law of the spring behind the dashpot");
   section.required("Relaxation time", item.network.relaxation_time,
                    number(positive(), "s"),
-                   "viscosity over the small-strain modulus of the spring");
+                   "viscosity at rest over the small-strain modulus of the "
+                   "spring");
+  declare_law(section, text, "Relaxation law", relaxation_laws(),
+              item.relaxation_law, item.network.relaxation,
+              "how the relaxation time T, that at rest being T_0, depends on "
+              "the state of the network");
   section.optional(
       "Flow", item.network.flow,
       choice<FlowLaw>({{"isotropic", FlowLaw::isotropic},
@@ -149,6 +202,37 @@ void declare_network(Section& section, const CaseText& text, NamedNetwork& item)
       "whether every direction flows alike, or only the one along Axis of the "
       "film, as in Eq. 23 of Wang et al. (2024): for films whose width is "
       "held");
+}
+
+void declare_fibre_family(Section& section, const CaseText& text,
+                          NamedFibreFamily& item)
+{
+  declare_law(section, text, "Law", fibre_laws(), item.law, item.family.law,
+              "energy of the fibres");
+  section.optional("Angle", item.angle, number(any(), "rad"),
+                   "of the fibres, from Axis of the film, counted towards its "
+                   "second material axis");
+  section.optional("Tension only", item.family.tension_only, yes_no(),
+                   "whether the fibres buckle instead of carrying compression");
+  section.optional("Dispersion", item.family.dispersion,
+                   number(within(0, 1. / 3.), "dimensionless"),
+                   "kappa of e = kappa I1 + (1 - 3 kappa) I4 - 1, from 0 (all "
+                   "along Angle) to 1/3 (all directions alike)");
+  section.optional("Rest stretch", item.family.rest_stretch,
+                   number(positive(), "dimensionless"),
+                   "stretch of the film along the fibres at which they are "
+                   "unstrained: 1 for fibres that are stretched with the film "
+                   "into its frame");
+}
+
+void declare_humidity_laws(Section section, material::HumidityLaws& laws)
+{
+  section.optional("Modulus", laws.modulus, humidity_law(),
+                   "factor on all moduli of springs and networks");
+  section.optional("Relaxation time", laws.relaxation_time, humidity_law(),
+                   "factor on all relaxation times");
+  section.optional("Permittivity", laws.permittivity, humidity_law(),
+                   "factor on the relative permittivity");
 }
 
 void declare_temperature_laws(Section section, material::ThermalLaws& laws)
@@ -204,6 +288,11 @@ void declare_material(Declarations& all, Section& section, const CaseText& text,
                material.networks,
                [&text](Section& inner, NamedNetwork& item)
                { declare_network(inner, text, item); });
+  declare_list(all, text, section.path(), "Fibre family",
+               "fibres of one direction in the film's plane",
+               material.fibre_families,
+               [&text](Section& inner, NamedFibreFamily& item)
+               { declare_fibre_family(inner, text, item); });
   SectionPath dielectric = section.path();
   dielectric.push_back("Dielectric");
   all.allow_section(section.path(), "Dielectric", false);
@@ -217,6 +306,13 @@ void declare_material(Declarations& all, Section& section, const CaseText& text,
                                "references of the laws, follow the temperature "
                                "of the film"),
       material.thermal);
+  SectionPath humidity = section.path();
+  humidity.push_back("Humidity laws");
+  all.allow_section(section.path(), "Humidity laws", false);
+  declare_humidity_laws(
+      all.section(humidity, "how the properties, which hold at the references "
+                            "of the laws, follow the relative humidity"),
+      material.humidity_laws);
 }
 } // namespace
 

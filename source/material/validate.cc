@@ -82,6 +82,54 @@ void validate(const Spring& spring, const std::string& where)
   std::visit([&](const auto& law) { validate(law, where); }, spring);
 }
 
+void validate(const ConstantRelaxation&, const std::string&) {}
+
+void validate(const StressActivatedRelaxation& law, const std::string& where)
+{
+  require_positive(where, "activation stress (Pa)", law.activation_stress);
+}
+
+void validate(const StretchActivatedRelaxation& law, const std::string& where)
+{
+  require_not_negative(where, "coefficient of the relaxation law",
+                       law.coefficient);
+}
+
+void validate(const Network& network, const std::string& where)
+{
+  validate(network.spring, where);
+  require_positive(where, "relaxation time (s)", network.relaxation_time);
+  std::visit([&](const auto& law) { validate(law, where); },
+             network.relaxation);
+  if (network.flow == FlowLaw::held_width && !is_constant(network.relaxation))
+    throw BadInput(where + ": the relaxation time of a network that flows at a "
+                           "held width is constant");
+}
+
+void validate(const QuadraticFibres& law, const std::string& where)
+{
+  require_positive(where, "stiffness k1 (Pa)", law.stiffness);
+}
+
+void validate(const ExponentialFibres& law, const std::string& where)
+{
+  require_positive(where, "stiffness k1 (Pa)", law.stiffness);
+  require_positive(where, "exponent k2", law.exponent);
+}
+
+void validate(const FibreFamily& family, const std::string& where)
+{
+  std::visit([&](const auto& law) { validate(law, where); }, family.law);
+  const double length = std::hypot(family.direction[0], family.direction[1]);
+  require(std::abs(length - 1.) < 1e-12, where, "length of the direction",
+          length, "1");
+  require(family.dispersion >= 0. && family.dispersion <= 1. / 3., where,
+          "dispersion", family.dispersion, "from 0 to 1/3");
+  require_positive(where, "rest stretch", family.rest_stretch);
+  require(family.dispersion == 0. || family.rest_stretch == 1., where,
+          "rest stretch", family.rest_stretch, "1 if the fibres are dispersed");
+}
+
 void validate(const ConstantPermittivity& law)
 {
   require(law.relative >= 1. && std::isfinite(law.relative), "dielectric",
@@ -157,11 +205,10 @@ void validate(const Elastomer& elastomer)
     validate(spring, "spring " + std::to_string(++number));
   number = 0;
   for (const Network& network : elastomer.networks)
-  {
-    const std::string where = "network " + std::to_string(++number);
-    validate(network.spring, where);
-    require_positive(where, "relaxation time (s)", network.relaxation_time);
-  }
+    validate(network, "network " + std::to_string(++number));
+  number = 0;
+  for (const FibreFamily& family : elastomer.fibres)
+    validate(family, "fibre family " + std::to_string(++number));
   validate(elastomer.dielectric);
 }
 } // namespace taut::material

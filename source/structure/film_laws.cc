@@ -8,23 +8,57 @@
 
 namespace taut::structure
 {
-Device add_fibres(Device device)
-{
-  for (Film& film : device.films)
-    if (film.fibre_modulus > 0)
-      film.material.fibres =
-          material::Fibres{film.fibre_modulus, film.pre_stretch[1]};
-  return device;
-}
-
 namespace
 {
+/// Temperature and humidity of a film, gone on by the same time.
+struct Climate
+{
+  double temperature, temperature_step; ///< (K)
+  double humidity, humidity_step;
+};
+
+/// Errors: StepRejected outside the range of a law, with the film.
+material::Elastomer make_in_climate(const material::Elastomer& elastomer,
+                                    const Film& film, const Climate& climate)
+{
+  try
+  {
+    return material::make_at_humidity(
+        material::make_at_temperature(elastomer, film.thermal,
+                                      climate.temperature,
+                                      climate.temperature_step),
+        film.humidity_laws, climate.humidity, climate.humidity_step);
+  }
+  catch (const StepRejected& rejection)
+  {
+    throw StepRejected("film '" + film.name +
+                       "', everywhere: " + rejection.what());
+  }
+}
+
 double compute_pre_stretch(const Film& film, const double share,
                            const unsigned int direction)
 {
   return 1 + share * (film.pre_stretch[direction] - 1);
 }
+
+double find_largest(const std::vector<double>& rates)
+{
+  double largest = 0;
+  for (const double rate : rates)
+    largest = std::max(largest, std::abs(rate));
+  return largest;
+}
 } // namespace
+
+Device add_fibres(Device device)
+{
+  for (Film& film : device.films)
+    if (film.fibre_modulus > 0)
+      film.material.fibres.push_back(material::make_fibres_across(
+          film.fibre_modulus, film.pre_stretch[1]));
+  return device;
+}
 
 void Structure::set_pre_stretches(const LoadState& loads)
 {
@@ -54,26 +88,31 @@ std::vector<fe::BatchLaw> Structure::make_laws(const LoadState& loads,
     if (carries_compression_)
       law.wrinkle_stiffness = 0;
     const unsigned int film = cells_->slots()[slot].film;
-    const material::ThermalLaws& thermal = device_.films[film].thermal;
+    const Film& description = device_.films[film];
     law.field.temperature = loads.film_temperatures[film];
     if (networks == Networks::relaxed)
       law.elastomer = &relaxed_[film];
-    // Fibres hold the width of the frame, however far the film is stretched.
+    // Fibres that hold the width of the frame do so however far the film is
+    // stretched.
     const double share = loads.pre_stretch_shares[film];
-    if (law.elastomer->fibres && share != 1)
+    if (description.fibre_modulus > 0 && share != 1)
     {
       auto elastomer = std::make_shared<material::Elastomer>(*law.elastomer);
-      elastomer->fibres->rest_stretch =
-          compute_pre_stretch(device_.films[film], share, 1);
+      elastomer->fibres.back() = material::make_fibres_across(
+          description.fibre_modulus,
+          compute_pre_stretch(description, share, 1));
       law.owned = elastomer;
       law.elastomer = law.owned.get();
     }
-    if (material::is_constant(thermal) && time_step == 0)
+    if (material::is_constant(description.thermal) &&
+        material::is_constant(description.humidity_laws) && time_step == 0)
       continue;
-    law.owned =
-        std::make_shared<material::Elastomer>(material::make_at_temperature(
-            *law.elastomer, thermal, loads.film_temperatures[film],
-            time_step * loads.film_temperature_rates[film]));
+    law.owned = std::make_shared<material::Elastomer>(
+        make_in_climate(*law.elastomer, description,
+                        {loads.film_temperatures[film],
+                         time_step * loads.film_temperature_rates[film],
+                         loads.film_humidities[film],
+                         time_step * loads.film_humidity_rates[film]}));
     law.elastomer = law.owned.get();
   }
   return laws;
@@ -83,14 +122,16 @@ double Structure::compute_heat_power(const LoadState& loads,
                                      const double* internal) const
 {
   const double of_frames = frames_->compute_heat_power(loads, positions_);
-  double fastest = 0;
-  for (const double rate : loads.film_temperature_rates)
-    fastest = std::max(fastest, std::abs(rate));
+  // Of the humidity 1e-4 counts as 1e-2 K.
+  const double fastest =
+      std::max(find_largest(loads.film_temperature_rates),
+               100 * find_largest(loads.film_humidity_rates));
   if (fastest == 0)
     return of_frames;
-  // dT/dt dPsi/dT at fixed strain. Along the tangents of moduli and
-  // permittivity the energy of a taut film is linear, and the difference exact;
-  // that of a wrinkled film bends by the square of the step, 1e-2 K.
+  // dT/dt dPsi/dT + dh/dt dPsi/dh at fixed strain. Along the tangents of moduli
+  // and permittivity the energy of a taut film is a polynomial of the second
+  // degree, and the difference exact; that of a wrinkled film bends by the
+  // square of the step, 1e-2 K.
   const double step = 1e-2 / fastest;
   const auto compute = [&](const double time_step)
   {

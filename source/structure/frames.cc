@@ -1,4 +1,3 @@
-#include <taut/material/temperature_law.h>
 #include <taut/structure/frames.h>
 
 #include <algorithm>
@@ -53,22 +52,6 @@ Frames::Frames(const Device& device, const FrameNodes& frame_nodes,
          positions, rotations, positions[0] < nodes.n_owned});
   }
   linearised_.resize(elements_.size());
-}
-
-fe::BeamStiffness Frames::get_stiffness(const unsigned int frame,
-                                        const LoadState& loads) const
-{
-  const BeamSection& section = device_.frames[frame].section;
-  const double factor =
-      stiffening_ * material::compute_factor(device_.frames[frame].modulus_law,
-                                             loads.frame_temperatures[frame]);
-  fe::BeamStiffness stiffness{
-      {section.axial_stiffness, section.shear_stiffness[0],
-       section.shear_stiffness[1], section.torsional_stiffness,
-       section.bending_stiffness[0], section.bending_stiffness[1]}};
-  for (double& entry : stiffness)
-    entry *= factor;
-  return stiffness;
 }
 
 std::vector<double> Frames::gather(const FrameElement& element,
@@ -162,28 +145,6 @@ double Frames::compute_energy(const LoadState& loads,
           get_stiffness(element.frame, loads),
           element.beam.compute_strains(gather(element, positions).data()));
   return energy;
-}
-
-double Frames::compute_heat_power(const LoadState& loads,
-                                  const fe::NodalVector& positions) const
-{
-  double power = 0;
-  for (const auto& element : elements_)
-  {
-    const double rate = loads.frame_temperature_rates[element.frame];
-    if (!element.assembled_here || rate == 0)
-      continue;
-    const auto& law = device_.frames[element.frame].modulus_law;
-    const double temperature = loads.frame_temperatures[element.frame];
-    // The energy is the factor of the law times one that does not change.
-    power +=
-        rate * material::compute_factor_derivative(law, temperature) /
-        material::compute_factor(law, temperature) *
-        element.beam.compute_energy(
-            get_stiffness(element.frame, loads),
-            element.beam.compute_strains(gather(element, positions).data()));
-  }
-  return power;
 }
 
 std::vector<BeamResultants>

@@ -3,28 +3,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace taut::structure
 {
 namespace
 {
-/// Throws on every rank, with the place of the worst, if any rank has a spring
-/// beyond its limit or wrinkles without end.
-void refuse_beyond_limit(const fe::LimitReport& limit, const MPI_Comm comm)
+/// Throws on every rank, with film, place and values of the worst, if any rank
+/// has a law beyond its limit or wrinkles without end.
+void refuse_beyond_limit(const fe::LimitReport& limit, const Device& device,
+                         const MPI_Comm comm)
 {
-  const double margin = std::isnan(limit.margin) ? -1. : limit.margin;
-  if (dealii::Utilities::MPI::min(margin, comm) > 0)
+  if (dealii::Utilities::MPI::min(limit.margin, comm) > 0)
     return;
-  const auto all = dealii::Utilities::MPI::all_gather(
-      comm,
-      std::array<double, 5>{{margin, limit.place[0], limit.place[1],
-                             limit.place[2], double(limit.wrinkles_grow)}});
-  const auto& worst = *std::min_element(all.begin(), all.end());
-  throw StepRejected((worst[4] > 0 ? "the wrinkled film widens without end"
-                                   : "a spring is stretched beyond its limit") +
-                     std::string(" near (") + std::to_string(worst[1]) + ", " +
-                     std::to_string(worst[2]) + ", " +
-                     std::to_string(worst[3]) + ") m of the mesh");
+  const auto margins = dealii::Utilities::MPI::all_gather(comm, limit.margin);
+  const unsigned int worst =
+      std::min_element(margins.begin(), margins.end()) - margins.begin();
+  std::ostringstream message;
+  if (!limit.excess.empty())
+    message << "film '" << device.films[limit.film].name << "' at ("
+            << limit.place[0] << ", " << limit.place[1] << ", "
+            << limit.place[2] << ") m of the mesh: " << limit.excess;
+  throw StepRejected(
+      dealii::Utilities::MPI::broadcast(comm, message.str(), worst));
 }
 } // namespace
 
@@ -136,7 +137,7 @@ void Structure::compute_forces(const LoadState& loads, const double* u,
   const fe::LimitReport limit =
       fe::add_internal_forces(*cells_, laws, positions_, internal, forces_,
                               rates ? rates : unused_rates.data(), powers_);
-  refuse_beyond_limit(limit, communicator());
+  refuse_beyond_limit(limit, device_, communicator());
   heat_power_ =
       networks == Networks::as_given ? compute_heat_power(loads, internal) : 0;
   frames_->add_forces(loads, positions_, forces_);

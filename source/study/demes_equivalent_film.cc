@@ -25,14 +25,16 @@ double read_spring(const Case& film_case, const Film& film,
   return neo_hookean->shear_modulus;
 }
 
-/// The material at the film's temperature.
+/// The material at the film's temperature and humidity.
 material::Elastomer make_elastomer(const Case& film_case, const Film& film,
                                    const double temperature)
 {
   try
   {
-    return material::make_at_temperature(film.material, film.thermal,
-                                         temperature);
+    return material::make_at_humidity(
+        material::make_at_temperature(film.material, film.thermal, temperature),
+        film.humidity_laws,
+        read_constant(film_case, "Film", film, film.humidity, "humidity"));
   }
   catch (const StepRejected& rejection)
   {
@@ -43,6 +45,10 @@ material::Elastomer make_elastomer(const Case& film_case, const Film& film,
 void read_springs(const Case& film_case, const Film& film,
                   const material::Elastomer& elastomer, lumped::DemesSI& device)
 {
+  if (!elastomer.fibres.empty())
+    refuse(film_case, "Film", film,
+           "the lumped DEMES knows no fibres, and the film's material has a "
+           "Fibre family");
   if (elastomer.springs.empty())
     refuse(film_case, "Film", film,
            "the lumped DEMES needs a spring that always carries");
@@ -60,6 +66,10 @@ void read_springs(const Case& film_case, const Film& film,
   for (const auto& network : elastomer.networks)
   {
     const double modulus = read_spring(film_case, film, network.spring);
+    if (!material::is_constant(network.relaxation))
+      refuse(film_case, "Film", film,
+             "the lumped DEMES knows only constant relaxation times, and the "
+             "film's material has a Relaxation law");
     device.viscous_ratio = modulus / device.shear_modulus;
     device.viscosity = modulus * network.relaxation_time;
   }
@@ -85,14 +95,14 @@ struct ReadPermittivity
 };
 } // namespace
 
-double read_temperature(const Case& film_case, const std::string& kind,
-                        const structure::Named& entry,
-                        const Signal& temperature)
+double read_constant(const Case& film_case, const std::string& kind,
+                     const structure::Named& entry, const Signal& signal,
+                     const std::string& name)
 {
-  if (!temperature.is_constant())
+  if (!signal.is_constant())
     refuse(film_case, kind, entry,
-           "the lumped DEMES has one temperature at all times");
-  return temperature.value(film_case.procedure.start_time);
+           "the lumped DEMES has one " + name + " at all times");
+  return signal.value(film_case.procedure.start_time);
 }
 
 void read_demes_film(const Case& film_case, const Film& film,
@@ -105,7 +115,7 @@ void read_demes_film(const Case& film_case, const Film& film,
   device.film_thickness = film.thickness;
   device.pre_stretch = film.pre_stretch[0];
   device.temperature =
-      read_temperature(film_case, "Film", film, film.temperature);
+      read_constant(film_case, "Film", film, film.temperature, "temperature");
   const auto elastomer = make_elastomer(film_case, film, device.temperature);
   read_springs(film_case, film, elastomer, device);
   std::visit(ReadPermittivity{device.temperature, device},

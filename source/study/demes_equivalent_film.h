@@ -10,8 +10,8 @@ namespace taut::study
 void read_demes_film(const Case& film_case, const structure::Film& film,
                      lumped::DemesSI& device);
 
-/// The value of a temperature (K). Errors: BadInput if it changes.
-double read_temperature(const Case& film_case, const std::string& kind,
-                        const structure::Named& entry,
-                        const Signal& temperature);
+/// The value of a signal called `name`. Errors: BadInput if it changes.
+double read_constant(const Case& film_case, const std::string& kind,
+                     const structure::Named& entry, const Signal& signal,
+                     const std::string& name);
 } // namespace taut::study

@@ -91,12 +91,15 @@ double get_side(const Case& film_case, const Frame& frame,
 
 double compute_stiffness(const Case& film_case, const Frame& frame)
 {
-  const double temperature =
-      read_temperature(film_case, "Frame", frame, frame.temperature);
+  const double temperature = read_constant(film_case, "Frame", frame,
+                                           frame.temperature, "temperature");
+  const double humidity =
+      read_constant(film_case, "Frame", frame, frame.humidity, "humidity");
   try
   {
     return frame.section.bending_stiffness[0] *
-           material::compute_factor(frame.modulus_law, temperature);
+           material::compute_factor(frame.modulus_law, temperature) *
+           material::compute_factor(frame.humidity_law, humidity);
   }
   catch (const StepRejected& rejection)
   {

@@ -2,6 +2,7 @@
 
 #include <taut/base/exceptions.h>
 #include <taut/base/number_text.h>
+#include <taut/material/at_temperature.h>
 
 #include <cmath>
 #include <variant>
@@ -48,6 +49,10 @@ void read_springs(const Film& film, const std::string& file,
   for (const auto& network : film.material.networks)
   {
     const Gent& gent = read_spring(network.spring, film, file, resonator.limit);
+    if (!material::is_constant(network.relaxation))
+      refuse(film, file,
+             "the lumped model knows only constant relaxation times, and the "
+             "film's material has a Relaxation law");
     resonator.network_shares.push_back(gent.shear_modulus);
     resonator.relaxation_times.push_back(network.relaxation_time);
     resonator.shear_modulus += gent.shear_modulus;
@@ -82,6 +87,14 @@ void read_dielectric(const Film& film, const std::string& file,
 void read_film(const Film& film, const std::string& file,
                LumpedResonatorDescription& resonator)
 {
+  if (!film.material.fibres.empty())
+    refuse(film, file,
+           "the lumped model knows no fibres, and the film's material has a "
+           "Fibre family");
+  if (!material::is_constant(film.humidity_laws))
+    refuse(film, file,
+           "the lumped model knows no humidity, and the film's material has "
+           "Humidity laws");
   read_springs(film, file, resonator);
   read_dielectric(film, file, resonator);
   resonator.density = film.material.density;

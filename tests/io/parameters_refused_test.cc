@@ -143,7 +143,7 @@ const Refusal relations[] = {
      "right, left", "Film right/Surfaces", "'Film left' already"},
     {"limit exceeded by the pre-stretch", "Pre-stretch = 2, 4",
      "Pre-stretch = 2, 9", "Pre-stretch", "Film left/Pre-stretch",
-     "exceeds the limit"},
+     "is beyond the limit 70 of the Gent spring 1"},
     {"material of nothing", "subsection Material rubber\n",
      "subsection Material empty\n  set Density = 1\nend\n"
      "subsection Material rubber\n",

@@ -1,3 +1,5 @@
+#include <taut/material/limits.h>
+
 #include "automatic_differentiation.h"
 #include "states.h"
 

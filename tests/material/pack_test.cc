@@ -207,7 +207,7 @@ TEST(HeldWidthPacks, AreThoseOfEachLane)
   Elastomer elastomer = {{}, {}, {}, 0.};
   for (const Spring& spring : make_springs())
     elastomer.networks.push_back({spring, .7, FlowLaw::held_width});
-  elastomer.fibres = Fibres{1e4, 1.2};
+  elastomer.fibres = {make_fibres_across(1e4, 1.2)};
   const std::size_t networks = elastomer.networks.size();
   const Field field = make_strong_field();
   const State first = make_states(0)[0], second = make_states(0)[1];

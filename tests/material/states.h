@@ -19,19 +19,42 @@ inline std::vector<Spring> make_springs()
           Yeoh{9e3, -100., 3.}, ArrudaBoyce{1.5e4, 5.99}};
 }
 
-/// All springs beside each other, and a network with each of them.
+inline std::vector<RelaxationLaw> make_relaxation_laws()
+{
+  return {ConstantRelaxation{}, StressActivatedRelaxation{1.5e4},
+          StretchActivatedRelaxation{.8}};
+}
+
+/// All springs beside each other, and a network with each of them, whose
+/// relaxation times take turns in their laws.
 inline Elastomer make_elastomer()
 {
   Elastomer elastomer = {make_springs(), {}, {StretchPermittivity{}}, 960.};
+  const std::vector<RelaxationLaw> laws = make_relaxation_laws();
   double time = .05;
   for (const Spring& spring : make_springs())
-    elastomer.networks.push_back({spring, time *= 4.});
+    elastomer.networks.push_back(
+        {spring, time *= 4., FlowLaw::isotropic,
+         laws[elastomer.networks.size() % laws.size()]});
   return elastomer;
 }
 
 inline Elastomer make_single_network(const Spring& spring)
 {
   return {{}, {{spring, .7}}, {}, 0.};
+}
+
+/// One network each, with every spring and every law of the relaxation time.
+inline std::vector<Elastomer> make_single_networks()
+{
+  std::vector<Elastomer> elastomers;
+  for (const Spring& spring : make_springs())
+    for (const RelaxationLaw& law : make_relaxation_laws())
+    {
+      elastomers.push_back(make_single_network(spring));
+      elastomers.back().networks[0].relaxation = law;
+    }
+  return elastomers;
 }
 
 inline Field make_strong_field()

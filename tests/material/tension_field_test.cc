@@ -267,7 +267,7 @@ TEST(TensionField, NetworksAndWrinklesAnswerTogether)
   // One implicit step of the networks at the metric of the wrinkled film,
   // alpha (A - A_0) = Adot(C*(C, A), A), solved to the end: its derivative by C
   // is the condensed one.
-  const double alpha = 3.;
+  const double alpha = 300.;
   for (const auto& [kind, C] : some_states)
   {
     const Point point = make_viscous(2e6);

@@ -68,6 +68,43 @@ TEST(Validate, RefusesNetworks)
       {"network 2", "limit J_lim", "-3"});
 }
 
+TEST(Validate, RefusesRelaxationLaws)
+{
+  const auto make = [](const RelaxationLaw& law, const FlowLaw flow)
+  {
+    return Elastomer{
+        {NeoHookean{1.}}, {{NeoHookean{1.}, 1., flow, law}}, {}, 0.};
+  };
+  expect_refused(make(StressActivatedRelaxation{0.}, FlowLaw::isotropic),
+                 {"network 1", "activation stress", "positive"});
+  expect_refused(make(StretchActivatedRelaxation{-1.}, FlowLaw::isotropic),
+                 {"network 1", "coefficient", "0 or more"});
+  expect_refused(make(StretchActivatedRelaxation{1.}, FlowLaw::held_width),
+                 {"network 1", "held width is constant"});
+}
+
+TEST(Validate, RefusesFibreFamilies)
+{
+  const auto make = [](const FibreFamily& family)
+  {
+    Elastomer elastomer = {{NeoHookean{1.}}, {}, {}, 0.};
+    elastomer.fibres = {family};
+    return elastomer;
+  };
+  const std::array<double, 2> x{{1., 0.}};
+  EXPECT_NO_THROW(validate(make({ExponentialFibres{1., 2.}, x, true, .2})));
+  expect_refused(make({QuadraticFibres{0.}}), {"fibre family 1", "k1"});
+  expect_refused(make({ExponentialFibres{-1., 1.}}), {"k1"});
+  expect_refused(make({ExponentialFibres{1., 0.}}), {"k2", "positive"});
+  expect_refused(make({QuadraticFibres{1.}, {{1., 1.}}}), {"direction"});
+  expect_refused(make({QuadraticFibres{1.}, x, true, .4}),
+                 {"dispersion", "0.4", "1/3"});
+  expect_refused(make({QuadraticFibres{1.}, x, true, 0., 0.}),
+                 {"rest stretch", "positive"});
+  expect_refused(make({QuadraticFibres{1.}, x, true, .1, 2.}),
+                 {"rest stretch", "dispersed"});
+}
+
 TEST(Validate, RefusesDielectrics)
 {
   const std::vector<Spring> springs = {NeoHookean{1.}};

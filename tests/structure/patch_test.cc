@@ -121,8 +121,12 @@ TEST_P(Patch, affine_motion_of_the_rim_is_the_motion_of_all_points)
 
 TEST_P(Patch, reactions_and_energies_are_those_of_the_closed_form)
 {
-  const double p_1 = 1.3, p_2 = 1.5;
+  // Two families of fibres to either side of x, which do not shear the film.
+  const double p_1 = 1.3, p_2 = 1.5, stiffness = 1e4;
   auto device = make_device({{p_1, p_2}});
+  for (const double side : {-.6, .6})
+    device.films[0].material.fibres.push_back(
+        {material::QuadraticFibres{stiffness}, {{.8, side}}});
   device.supports = {testing::make_support("west", {{true, false, true}}),
                      testing::make_support("east", {{true, false, true}},
                                            {{".3*x", "0", "0"}}),
@@ -140,8 +144,13 @@ TEST_P(Patch, reactions_and_energies_are_those_of_the_closed_form)
   // s_1 = mu (l_1 - l_1^-3 l_2^-2) - eps (V/H)^2 l_1 l_2^2.
   const double e = .04;
   const double across = std::pow(l_1 * l_2, -2);
-  const double s_1 = modulus * (l_1 - across / l_1 - e * l_1 * l_2 * l_2);
-  const double s_2 = modulus * (l_2 - across / l_2 - e * l_1 * l_1 * l_2);
+  // Of each family 2 k1 (I4 - 1) times the square of a cosine and l.
+  const double excess = .64 * l_1 * l_1 + .36 * l_2 * l_2 - 1;
+  const double fibres = 4 * stiffness * excess;
+  const double s_1 =
+      modulus * (l_1 - across / l_1 - e * l_1 * l_2 * l_2) + .64 * fibres * l_1;
+  const double s_2 =
+      modulus * (l_2 - across / l_2 - e * l_1 * l_1 * l_2) + .36 * fibres * l_2;
   const double force_1 = s_1 * thickness * width / p_2;
   const double force_2 = s_2 * thickness * length / p_1;
   EXPECT_NEAR(statics.get_reaction(0)[0], -force_1, tolerance * force_1);
@@ -152,7 +161,8 @@ TEST_P(Patch, reactions_and_energies_are_those_of_the_closed_form)
 
   const double volume = thickness * length * width / (p_1 * p_2);
   const double stored =
-      volume * modulus / 2 * (l_1 * l_1 + l_2 * l_2 + across - 3);
+      volume * (modulus / 2 * (l_1 * l_1 + l_2 * l_2 + across - 3) +
+                stiffness * excess * excess);
   const double electric = volume * modulus / 2 * e / across;
   const auto energies = statics.compute_energies();
   EXPECT_NEAR(energies.stored, stored, tolerance * stored);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "structure/viscous_films.h"
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 
 namespace taut
 {
@@ -61,6 +62,46 @@ TEST(StepRelaxation, UniaxialFollowsTheReference)
     // The edge is 1/sqrt(2) as wide as the film was.
     EXPECT_NEAR(readings[i].stress / std::sqrt(2.), ground * 1.75 + stress[i],
                 2e-7);
+  }
+}
+
+TEST(StepRelaxation, OfANetworkThatStressActivates)
+{
+  // The same with T = exp(-tau/sigma_0): the elastic square e of the branch,
+  // tau = e - e^(-1/2), follows d(ln e)/dt = -(2/3) tau exp(tau/sigma_0).
+  constexpr double ground = .5, activation = .9;
+  auto device = testing::make_sheet(
+      {{material::NeoHookean{ground}},
+       {{material::NeoHookean{1}, 1, material::FlowLaw::isotropic,
+         material::StressActivatedRelaxation{activation}}},
+       {},
+       1},
+      {testing::make_support("east", {{true, false, false}})});
+  device.films[0].pre_stretch = {{2, 1 / std::sqrt(2.)}};
+  const auto get_stress = [](const double e) { return e - 1 / std::sqrt(e); };
+  const auto find_time = [&](const double end)
+  {
+    return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+        [&](const double e) {
+          return 1.5 / (e * get_stress(e)) *
+                 std::exp(-get_stress(e) / activation);
+        },
+        end, 4., 15, 1e-12);
+  };
+  const double squares[] = {4, 3.5, 2, 1.1};
+  testing::Model model(device, testing::make_sheet_mesh());
+  const auto readings = run(
+      *model.structure,
+      {0, find_time(squares[1]), find_time(squares[2]), find_time(squares[3])},
+      1e-9);
+  ASSERT_EQ(readings.size(), 4u);
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    // The law rounds tau by 1e-4 sigma_0, which changes times, where it is
+    // large, by as much.
+    EXPECT_NEAR(readings[i].inelastic, 2 / std::sqrt(squares[i]), 1e-4);
+    EXPECT_NEAR(readings[i].stress / std::sqrt(2.),
+                ground * 1.75 + get_stress(squares[i]) / 2, 1e-4);
   }
 }
 

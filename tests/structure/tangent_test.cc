@@ -18,8 +18,9 @@ using structure::Networks;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Curved sheet with two materials, an electrode, pressure, networks, hanging
-/// nodes and a bar that is free to rotate.
+/// Curved sheet with two materials, one of them with fibres and networks that
+/// are activated, an electrode, pressure, hanging nodes and a bar that is free
+/// to rotate.
 std::unique_ptr<testing::Model>
 make_stretched(const unsigned int degree,
                const std::array<double, 2>& pre_stretch)
@@ -29,6 +30,12 @@ make_stretched(const unsigned int degree,
   auto film = testing::make_film(material::Gent{2e4, 60}, 1e-3, pre_stretch);
   film.material.networks = {{material::Gent{1e4, 60}, 0.01},
                             {material::NeoHookean{5e3}, 1}};
+  film.material.networks[0].relaxation =
+      material::StressActivatedRelaxation{2e4};
+  film.material.networks[1].relaxation =
+      material::StretchActivatedRelaxation{.5};
+  film.material.fibres = {
+      {material::ExponentialFibres{5e3, .1}, {{.8, .6}}, false, .1}};
   film.axis = {{1, 0.3, 0}};
   film.groups = {"left"};
   device.films.push_back(film);
@@ -293,7 +300,8 @@ TEST_P(CondensedTangent, solve_inverts_the_system)
   system.solve(r.data(), d.data());
   // Central differences over a change of 1e-4: the truncation is of its square,
   // and the round-off of rates of 1e3 /s, divided by h, stays below 1e-5. No
-  // point of this noise changes between taut, wrinkled and slack within it.
+  // point of this noise changes between taut, wrinkled and slack within it. In
+  // the slack film, next to rest, the stress-activated flow bends within 1e-4.
   const double h = 1e-4 / norm(d);
   for (std::size_t i = 0; i < size; ++i)
     moved[i] = y[i] + h * d[i];
@@ -305,7 +313,7 @@ TEST_P(CondensedTangent, solve_inverts_the_system)
   std::vector<double> defect(size, 0.);
   for (std::size_t i = 0; i < size - n_scalars; ++i)
     defect[i] = alpha * b[i] - (plus[i] - minus[i]) / (2 * h) - r[i];
-  EXPECT_LT(norm(defect), 1e-5 * norm(r));
+  EXPECT_LT(norm(defect), 2e-5 * norm(r));
 }
 
 TEST_P(Tangent, symmetric_when_networks_are_frozen)

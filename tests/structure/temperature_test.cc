@@ -1,4 +1,4 @@
-// Films at temperatures that change.
+// Films and frames at temperatures and humidities that change.
 #include <taut/base/exceptions.h>
 
 #include <gtest/gtest.h>
@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "structure/balance.h"
+#include "structure/frames.h"
 #include "structure/viscous_films.h"
 
 namespace taut
@@ -131,6 +132,85 @@ TEST(HeatedFilm, BalanceHoldsInMotion)
   options.position_tolerance = 1e-9;
   options.velocity_time = 5e-3;
   EXPECT_LT(testing::compute_drift(system, .02, options), 1e-6);
+}
+
+material::HumidityLaws make_humidity_laws()
+{
+  return {material::PolynomialLaw{.5, {-.3}, .1, .9},
+          material::ExponentialLaw{.5, -2}, material::ExponentialLaw{.5, .8}};
+}
+
+TEST(HumidFilm, ForcesAndChargesScaleAsTheirLaws)
+{
+  const auto compute = [](const double humidity)
+  {
+    auto device = make_held_film(Signal::constant(299));
+    device.films[0].humidity_laws = make_humidity_laws();
+    device.films[0].humidity = Signal::constant(humidity);
+    device.films[0].material.dielectric.permittivity =
+        material::ConstantPermittivity{4};
+    device.electrodes = {testing::make_electrode("film", Signal())};
+    testing::Model model(device, testing::make_rectangle(2, 2, 2, .04, .04));
+    testing::Statics statics(*model.structure);
+    statics.find();
+    return std::array<double, 2>{{statics.get_reaction(1)[0],
+                                  model.structure->compute_capacitances()[0]}};
+  };
+  const auto reference = compute(.5);
+  for (const double humidity : {.2, .7})
+  {
+    const double x = humidity - .5;
+    const auto values = compute(humidity);
+    EXPECT_NEAR(values[0] / reference[0], 1 - .3 * x, 1e-10);
+    EXPECT_NEAR(values[1] / reference[1], std::exp(.8 * x), 1e-10);
+  }
+}
+
+TEST(HumidFilm, BalanceHoldsWhileTemperatureAndHumidityChange)
+{
+  for (const Signal& temperature :
+       {Signal::constant(299), Signal::table({0, .2}, {290, 340})})
+  {
+    auto device = make_heated_device(temperature);
+    device.films[0].humidity = Signal::table({0, .05, .2}, {.2, .6, .4});
+    device.films[0].humidity_laws = make_humidity_laws();
+    testing::Model model(device, testing::make_rectangle(4, 2, 2, .05, .04));
+    structure::QuasiStaticSystem system(*model.structure, {});
+    EXPECT_LT(
+        testing::compute_drift(system, .2, testing::make_slow_options(1e-9)),
+        1e-6);
+  }
+}
+
+// A damped cantilever under a load at its tip, that softens as it sways.
+TEST(HumidFrame, BalanceHoldsWhileTemperatureAndHumidityChange)
+{
+  structure::Device device;
+  auto section = testing::make_stiffnesses(1e3, 1e3, 1, 1, 1);
+  section.mass_per_length = .1;
+  section.rotary_inertia = {{1e-4, 1e-4, 1e-4}};
+  device.frames = {testing::make_frame("frame", section)};
+  auto& frame = device.frames[0];
+  frame.stiffness_damping = 1e-3;
+  frame.temperature = Signal::table({0, .5}, {290, 340});
+  frame.modulus_law = material::PolynomialLaw{299, {-.005}, 250, 400};
+  frame.humidity = Signal::table({0, .2, .5}, {.1, .8, .3});
+  frame.humidity_law = material::ExponentialLaw{.5, -1};
+  device.supports = {testing::make_clamp("root")};
+  device.point_loads = {testing::make_point_load("tip", {{0, 0, 1}})};
+  device.point_loads[0].force = Signal::constant(.5);
+  auto mesh = testing::make_line_mesh();
+  const auto ends = testing::add_line(
+      mesh, "frame", 4, testing::make_straight({0, 0, 0}, {1, 0, 0}));
+  testing::name_point(mesh, ends[0], "root");
+  testing::name_point(mesh, ends[1], "tip");
+  fe::add_empty_surface(mesh);
+  testing::Model model(device, mesh);
+  structure::InertialSystem system(*model.structure);
+  time::IntegratorOptions options;
+  options.position_tolerance = 1e-8;
+  options.velocity_time = 1e-2;
+  EXPECT_LT(testing::compute_drift(system, .5, options), 1e-5);
 }
 } // namespace
 } // namespace taut

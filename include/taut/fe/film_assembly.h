@@ -4,6 +4,7 @@
 #include <taut/fe/tangent_matrix.h>
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,14 +16,15 @@ namespace taut::fe
 std::vector<BatchLaw> make_laws(const FilmCells& cells,
                                 const std::vector<double>& voltages);
 
-/// The point that comes closest to the limit of a spring.
+/// The point that comes closest to the limit of a law.
 struct LimitReport
 {
-  /// Not positive (or NaN): beyond it.
-  double margin;
-  std::array<double, 3> place; ///< in the mesh (m)
-  /// Beyond because wrinkles grow without end, not by a spring's limit.
-  bool wrinkles_grow;
+  /// Not positive: beyond it.
+  double margin = std::numeric_limits<double>::infinity();
+  unsigned int film = 0;
+  std::array<double, 3> place{}; ///< in the mesh (m)
+  /// What is beyond its limit, with values; empty if nothing is.
+  std::string excess = {};
 };
 
 struct FilmPowers

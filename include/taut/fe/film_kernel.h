@@ -37,14 +37,15 @@ struct BatchLaw
   std::shared_ptr<const material::Elastomer> owned = nullptr;
 };
 
-/// Where a spring was stretched beyond its limit.
+/// Where a law was taken beyond its limit.
 struct LimitCheck
 {
   /// Smallest margin of all points; not positive (or NaN): inadmissible.
   double margin;
   unsigned int point;
+  /// Of the cell whose wrinkles grow without end; else nothing.
   unsigned int lane;
-  /// Inadmissible because wrinkles grow without end, not by a spring's limit.
+  /// Inadmissible because wrinkles grow without end, not by a law's limit.
   bool wrinkles_grow;
 };
 

@@ -26,4 +26,10 @@ void check_temperature(const CaseText& text, const SectionPath& section,
                        const material::TemperatureLaw& law,
                        const std::string& law_name,
                        const study::ProcedureDescription& procedure);
+
+/// The same for the key Humidity; constant laws allow 0 to 1.
+void check_humidity(const CaseText& text, const SectionPath& section,
+                    const Signal& humidity, const material::HumidityLaw& law,
+                    const std::string& law_name,
+                    const study::ProcedureDescription& procedure);
 } // namespace taut::io

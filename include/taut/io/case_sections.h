@@ -16,6 +16,14 @@ struct NamedNetwork : structure::Named
 {
   std::string law;
   material::Network network{};
+  std::string relaxation_law = "constant";
+};
+
+struct NamedFibreFamily : structure::Named
+{
+  std::string law;
+  material::FibreFamily family{};
+  double angle = 0; ///< of the fibres from the first material axis (rad)
 };
 
 struct MaterialDraft : structure::Named
@@ -24,8 +32,10 @@ struct MaterialDraft : structure::Named
   std::string permittivity_law = "constant";
   double density = 0; ///< (kg/m^3)
   material::ThermalLaws thermal;
+  material::HumidityLaws humidity_laws;
   std::vector<NamedSpring> springs;
   std::vector<NamedNetwork> networks;
+  std::vector<NamedFibreFamily> fibre_families;
 };
 
 /// What of a frame is not yet in its description.

@@ -3,6 +3,8 @@
 #include <taut/base/exceptions.h>
 #include <taut/base/signal.h>
 #include <taut/material/breakdown_law.h>
+#include <taut/material/humidity_law.h>
+#include <taut/material/temperature_law.h>
 
 #include <array>
 #include <functional>
@@ -88,6 +90,8 @@ Format<Signal> signal(const std::string& unit);
 Format<material::TemperatureLaw> temperature_law();
 /// What a breakdown strength depends on, see material::BreakdownLaw.
 Format<std::vector<material::StrengthFactor>> strength_factors();
+/// How a property depends on the relative humidity, likewise.
+Format<material::HumidityLaw> humidity_law();
 /// Any of x, y, z separated by commas, or `none`.
 Format<std::array<bool, 3>> directions();
 

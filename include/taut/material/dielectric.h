@@ -52,6 +52,21 @@ inline double compute_unstretched_permittivity(const StretchPermittivity& law,
   return law.high_temperature + law.dipole / temperature;
 }
 
+/// The law with the permittivity multiplied by a factor.
+inline ConstantPermittivity scale(const ConstantPermittivity& law,
+                                  double factor)
+{
+  return {factor * law.relative};
+}
+
+inline StretchPermittivity scale(const StretchPermittivity& law, double factor)
+{
+  StretchPermittivity result = law;
+  result.high_temperature *= factor;
+  result.dipole *= factor;
+  return result;
+}
+
 /// lambda_1 + lambda_2 = tr sqrt(C) = sqrt(t + 2 sqrt(d)).
 template <class Number>
 Number compute_stretch_sum(const Invariants<Number>& invariants)
@@ -68,14 +83,22 @@ Number compute_relative_permittivity(const ConstantPermittivity& law,
   return Number(law.relative);
 }
 
+/// 1 + a x + b x^2 + c x^3, to stay positive.
+template <class Number>
+Number compute_stretch_factor(const StretchPermittivity& law,
+                              const Invariants<Number>& invariants)
+{
+  const Number x = compute_stretch_sum(invariants) - 2.;
+  return 1. + x * (law.linear + x * (law.quadratic + x * law.cubic));
+}
+
 template <class Number>
 Number compute_relative_permittivity(const StretchPermittivity& law,
                                      const Invariants<Number>& invariants,
                                      double temperature)
 {
-  const Number x = compute_stretch_sum(invariants) - 2.;
   return compute_unstretched_permittivity(law, temperature) *
-         (1. + x * (law.linear + x * (law.quadratic + x * law.cubic)));
+         compute_stretch_factor(law, invariants);
 }
 
 /// eps_r at the invariants of C and a temperature in K.

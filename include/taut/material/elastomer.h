@@ -1,61 +1,32 @@
 #pragma once
 
 #include <taut/material/dielectric.h>
+#include <taut/material/fibre_family.h>
 #include <taut/material/held_width.h>
 #include <taut/material/network.h>
 #include <taut/material/number.h>
 
-#include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
-// An incompressible film in plane stress, thickness eliminated: springs and
-// viscous networks side by side, and an ideal dielectric. All functions are
-// pure. C = F^T F is the metric of the plane (stretches squared, material
-// axes), A points to one C_i^-1 per network and is ignored if there are none;
-// all energies are per undeformed volume. `Number` is a double, a number of
-// automatic differentiation or a pack of doubles. The functions that assembly
-// calls at every point are flattened: with everything inlined a pack of doubles
-// stays in registers, which halves their time.
+// An incompressible film in plane stress, thickness eliminated: springs,
+// viscous networks and families of fibres side by side, and an ideal
+// dielectric. All functions are pure. C = F^T F is the metric of the plane
+// (stretches squared, material axes), A points to one C_i^-1 per network and is
+// ignored if there are none; all energies are per undeformed volume. `Number`
+// is a double, a number of automatic differentiation or a pack of doubles. The
+// functions that assembly calls at every point are flattened: with everything
+// inlined a pack of doubles stays in registers, which halves their time.
 namespace taut::material
 {
-/// Fibres across the first material axis, glued to the stretched film:
-/// unstrained at `rest_stretch`. W = (modulus/8) (C_yy/rest_stretch^2 - 1)^2
-/// per undeformed volume; they carry compression.
-struct Fibres
-{
-  double modulus;      ///< in Pa
-  double rest_stretch; ///< of the film across its first axis
-};
-
 struct Elastomer
 {
   std::vector<Spring> springs;
   std::vector<Network> networks;
   Dielectric dielectric;
   double density; ///< in kg/m^3
-  std::optional<Fibres> fibres = std::nullopt;
+  std::vector<FibreFamily> fibres = {};
 };
-
-/// The energy of fibres in J/m^3 and its derivatives by C_yy in Pa.
-template <class Number>
-struct FibreEnergy
-{
-  Number value, by_yy;
-  double by_yy_yy;
-};
-
-template <class Number>
-FibreEnergy<Number> compute_fibre_energy(const Fibres& fibres,
-                                         const SymmetricTensor2<Number>& C)
-{
-  const double inverse_rest = 1. / (fibres.rest_stretch * fibres.rest_stretch);
-  const double factor = 0.25 * fibres.modulus * inverse_rest;
-  const Number strain = inverse_rest * C.yy - 1.;
-  return {(0.125 * fibres.modulus) * strain * strain, factor * strain,
-          factor * inverse_rest};
-}
 
 /// One internal variable A per network, null if there is no network.
 template <class Number>
@@ -116,8 +87,8 @@ Number stored_energy(const Elastomer& elastomer,
   for (const Network& network : elastomer.networks)
     energy =
         energy + compute_energy(network.spring, compute_invariants(C, *A++));
-  if (elastomer.fibres)
-    energy = energy + compute_fibre_energy(*elastomer.fibres, C).value;
+  for (const FibreFamily& family : elastomer.fibres)
+    energy = energy + StrainedFibres<Number>(family, C, invariants.p).energy;
   return energy;
 }
 
@@ -163,8 +134,12 @@ stress(const Elastomer& elastomer, const SymmetricTensor2<Number>& C,
     sum = add_scaled(sum, W.t, *A++);
     l = l + W.l;
   }
-  if (elastomer.fibres)
-    sum.yy = sum.yy + compute_fibre_energy(*elastomer.fibres, C).by_yy;
+  for (const FibreFamily& family : elastomer.fibres)
+  {
+    const StrainedFibres<Number> fibres(family, C, invariants.p);
+    sum = add_scaled(sum, fibres.derivatives.t, fibres.tensor);
+    l = l + fibres.derivatives.l;
+  }
   l = 2. * l;
   return combine(Number(2.), sum, l, compute_inverse(C, invariants.p));
 }
@@ -190,6 +165,11 @@ template <class Number>
     const Invariants<Number> invariants = compute_invariants(C, *A);
     const EnergyDerivatives<Number> W =
         compute_energy_derivatives(network.spring, invariants);
+    if (alpha == frozen)
+    {
+      sum.add(*A++, W, make_elastic_coefficients(W));
+      continue;
+    }
     if (network.flow == FlowLaw::held_width)
     {
       add_held_width(network, C, *A++, inverse_C, W, alpha, sum);
@@ -200,10 +180,11 @@ template <class Number>
             make_flowing_coefficients(
                 W, flow, solve_flow(flow, invariants, alpha), invariants));
   }
-  if (elastomer.fibres)
+  for (const FibreFamily& family : elastomer.fibres)
   {
-    const auto fibres = compute_fibre_energy(*elastomer.fibres, C);
-    sum.add_across(fibres.by_yy, Number(fibres.by_yy_yy));
+    const StrainedFibres<Number> fibres(family, C, plane.p);
+    sum.add(fibres.tensor, fibres.derivatives,
+            make_elastic_coefficients(fibres.derivatives));
   }
   sum.get(S, D);
 }
@@ -303,40 +284,5 @@ Number charge_density(const Elastomer& elastomer,
          compute_relative_permittivity(elastomer.dielectric.permittivity,
                                        invariants, field.temperature) *
          invariants.d;
-}
-
-/// How far the first invariant is from the limit of a spring, relative to the
-/// way from the undeformed state; infinity for a spring without limit.
-inline double compute_margin(const Spring& spring, double first_invariant)
-{
-  const double limit = first_invariant_limit(spring);
-  return limit < frozen ? (limit - first_invariant) / (limit - 3.) : limit;
-}
-
-/// The smaller of two numbers, NaN if one of them is.
-inline double get_smaller(double a, double b)
-{
-  return a < b || std::isnan(a) ? a : b;
-}
-
-/// The smallest margin of all limited springs, 1 undeformed, to stay above 0
-/// for the state to be admissible; infinity if no spring has a limit, NaN if
-/// the state of a limited spring is.
-template <class Number>
-double limit_margin(const Elastomer& elastomer,
-                    const SymmetricTensor2<Number>& C,
-                    InternalVariables<Number> A)
-{
-  double margin = std::numeric_limits<double>::infinity();
-  const Number first = compute_invariants(C).first();
-  for (const Spring& spring : elastomer.springs)
-    margin = get_smaller(margin, compute_margin(spring, largest(first)));
-  for (const Network& network : elastomer.networks)
-  {
-    const Number elastic = compute_invariants(C, *A++).first();
-    margin =
-        get_smaller(margin, compute_margin(network.spring, largest(elastic)));
-  }
-  return margin;
 }
 } // namespace taut::material

@@ -137,9 +137,6 @@ public:
   /// A stiffness dS = 4 factor a (a : dE), symmetric.
   void add_square(const Number& factor, const SymmetricTensor2<Number>& a);
 
-  /// An energy of C_yy alone, by its first two derivatives.
-  void add_across(const Number& by_yy, const Number& by_yy_yy);
-
   /// S in Pa and D = dS/dE (conventions of tensors.h) in Pa.
   void get(SymmetricTensor2<Number>& S, Matrix3<Number>& D) const;
 
@@ -200,14 +197,6 @@ void StiffnessSum<Number>::add_square(const Number& factor,
     for (unsigned int j = 0; j < 3; ++j)
       stiffness_[i][j] = stiffness_[i][j] + scaled * row[j];
   }
-}
-
-template <class Number>
-void StiffnessSum<Number>::add_across(const Number& by_yy,
-                                      const Number& by_yy_yy)
-{
-  stress_.yy = stress_.yy + by_yy;
-  stiffness_[1][1] = stiffness_[1][1] + by_yy_yy;
 }
 
 template <class Number>

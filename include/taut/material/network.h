@@ -1,5 +1,6 @@
 #pragma once
 
+#include <taut/material/relaxation_law.h>
 #include <taut/material/spring.h>
 
 namespace taut::material
@@ -16,8 +17,10 @@ enum class FlowLaw
 struct Network
 {
   Spring spring;
-  double relaxation_time; ///< T in s
+  double relaxation_time; ///< T_0 in s, that at rest
   FlowLaw flow = FlowLaw::isotropic;
+  /// T over T_0 in other states; constant if the width is held.
+  RelaxationLaw relaxation = ConstantRelaxation{};
 };
 
 /// How the internal variable A = C_i^-1 of an isotropic network moves. From the
@@ -25,21 +28,24 @@ struct Network
 /// A F^T; tau = 0 across the thickness) and an isotropic, isochoric flow (Reese
 /// and Govindjee 1998), F^-1 (dev tau) b F^-T = -eta dA/dt. With A C A = t A -
 /// d C^-1 that is
-///   dA/dt = mobility (a C^-1 - b A),  mobility = 2/eta,
-///   a = d W_t,  b = (2 t W_t + W_l)/3.
+///   dA/dt = mobility (a C^-1 - b A),  mobility = 2/eta_0,
+///   a = q d W_t,  b = q (2 t W_t + W_l)/3,  q = T_0/T,
+/// with the viscosity eta_0 at rest.
 template <class Number>
 struct Flow
 {
-  double mobility; ///< 2/eta in 1/(Pa s)
-  Number a, b;     ///< in Pa
-  Number a_t, a_l; ///< derivatives of a by t and ln d
-  Number b_t, b_l; ///< derivatives of b by t and ln d
+  double mobility;               ///< 2/eta_0 in 1/(Pa s)
+  Number a, b;                   ///< in Pa
+  Number a_t, a_l;               ///< derivatives of a by t and ln d
+  Number b_t, b_l;               ///< derivatives of b by t and ln d
+  Number quickness = Number(1.); ///< q
 };
 
+/// The flow at q = 1.
 template <class Number>
-Flow<Number> make_flow(const Network& network,
-                       const Invariants<Number>& invariants,
-                       const EnergyDerivatives<Number>& W)
+Flow<Number> make_constant_flow(const Network& network,
+                                const Invariants<Number>& invariants,
+                                const EnergyDerivatives<Number>& W)
 {
   const double mobility =
       2. / (shear_modulus(network.spring) * network.relaxation_time);
@@ -52,6 +58,44 @@ Flow<Number> make_flow(const Network& network,
           invariants.d * (W.t + W.tl),
           third * (2. * W.t + two_t * W.tt + W.tl),
           third * (two_t * W.tl + W.ll)};
+}
+
+/// The flow at the q of the network's law.
+template <class Number>
+[[gnu::noinline]] Flow<Number>
+make_activated_flow(const Network& network,
+                    const Invariants<Number>& invariants,
+                    const EnergyDerivatives<Number>& W)
+{
+  using std::exp;
+  const Activation<Number> activation =
+      compute_activation(network.relaxation, invariants, W);
+  const Number q = exp(activation.s);
+  const Flow<Number> flow = make_constant_flow(network, invariants, W);
+  return {flow.mobility,
+          q * flow.a,
+          q * flow.b,
+          q * (flow.a_t + activation.t * flow.a),
+          q * (flow.a_l + activation.l * flow.a),
+          q * (flow.b_t + activation.t * flow.b),
+          q * (flow.b_l + activation.l * flow.b),
+          q};
+}
+
+template <class Number>
+Flow<Number> make_flow(const Network& network,
+                       const Invariants<Number>& invariants,
+                       const EnergyDerivatives<Number>& W)
+{
+  if (is_constant(network.relaxation))
+    return make_constant_flow(network, invariants, W);
+  // By way of copies, so that the numbers of constant laws stay in registers.
+  const Invariants<Number> invariants_copy = invariants;
+  const EnergyDerivatives<Number> W_copy = W;
+  const Flow<Number> flow =
+      make_activated_flow(network, invariants_copy, W_copy);
+  return {flow.mobility, flow.a,   flow.b,   flow.a_t,
+          flow.a_l,      flow.b_t, flow.b_l, flow.quickness};
 }
 
 /// The solution of alpha dA = r + (dAdot/dE) dE + (dAdot/dA) dA, dC = 2 dE:
@@ -127,18 +171,14 @@ SymmetricTensor2<Number> compute_rate(const Flow<Number>& flow,
   return combine(factor_C, inverse_C, factor_A, A);
 }
 
-/// dev tau : dev tau/(2 eta) in W/m^3, as a sum of squares: with the elastic
-/// squares e_1, e_2 it is 2 mobility/3 times
-/// (W_l + t W_t/2)^2 + 3/4 (e_1 - e_2)^2 W_t^2.
+/// dev tau : dev tau/(2 eta) in W/m^3, a sum of squares.
 template <class Number>
 Number compute_dissipation(const Flow<Number>& flow,
                            const Invariants<Number>& invariants,
                            const EnergyDerivatives<Number>& W)
 {
-  const Number mean = W.l + 0.5 * invariants.t * W.t;
-  const Number difference2 = invariants.t * invariants.t - 4. * invariants.d;
-  return (2. / 3. * flow.mobility) *
-         (mean * mean + 0.75 * difference2 * W.t * W.t);
+  return (2. / 3. * flow.mobility) * flow.quickness *
+         compute_half_stress_squared(invariants, W);
 }
 
 /// dA = (alpha - dAdot/dA)^-1 (r + (dAdot/dC) dC), see FlowSolution.

@@ -4,6 +4,10 @@
 
 namespace taut::material
 {
+/// Laws with an exponential function hold below this exponent, in which it
+/// reaches 5e21: far beyond what can be measured, and far from overflow.
+constexpr double largest_exponent = 50.;
+
 /// Keeps a function argument out of template argument deduction, so that a
 /// null pointer can be passed for it.
 template <class Type>

@@ -1,34 +1,12 @@
 #pragma once
 
-#include <string>
-#include <variant>
-#include <vector>
+#include <taut/material/scalar_law.h>
 
-// How a property depends on the temperature T (K): every law gives the factor
-// on the value at its reference temperature.
+#include <variant>
+
+// How a property depends on the temperature T (K).
 namespace taut::material
 {
-/// f = 1.
-struct ConstantLaw
-{
-};
-
-/// f = 1 + c_1 (T - T_0) + c_2 (T - T_0)^2 + ...
-struct PolynomialLaw
-{
-  double reference;                 ///< T_0 (K)
-  std::vector<double> coefficients; ///< c_i (1/K^i)
-  double lowest;                    ///< range of T in which the law holds (K)
-  double highest;
-};
-
-/// Linear between rows.
-struct TableLaw
-{
-  std::vector<double> temperatures; ///< (K), increasing
-  std::vector<double> factors;
-};
-
 /// f = exp(E_a/R (1/T - 1/T_0)): thermally activated flow.
 struct ArrheniusLaw
 {
@@ -46,12 +24,8 @@ double compute_factor(const TemperatureLaw& law, double temperature);
 /// Its derivative by T (1/K).
 double compute_factor_derivative(const TemperatureLaw& law, double temperature);
 
-/// Range of T (K) in which the law holds; infinite where it has no bounds.
-struct TemperatureRange
-{
-  double lowest, highest;
-};
-TemperatureRange get_range(const TemperatureLaw& law);
+/// In K.
+LawRange get_range(const TemperatureLaw& law);
 
 /// How the film's properties follow the temperature.
 struct ThermalLaws

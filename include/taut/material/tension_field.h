@@ -33,7 +33,7 @@ find_wrinkles(const Elastomer& elastomer, const SymmetricTensor2<Number>& C,
 {
   WrinkleSearch<Number> search(elastomer, C, A, field, stiffness);
   const Mask<Number> taut =
-      is_taut(S, stiffness) & is_within_limits(elastomer, C, A);
+      is_taut(S, stiffness) & is_within_limits(elastomer, C, A, field);
   Wrinkles<Number> wrinkles = search.find_one_direction(S, !taut);
   // Both directions where tension is lost along the wrinkles as well, or
   // wrinkles across one direction alone have no end.

@@ -1,28 +1,12 @@
 #pragma once
 
+#include <taut/material/limits.h>
 #include <taut/material/wrinkles.h>
 
 // The search for the wrinkles that make the energy smallest, by safeguarded
 // Newton iterations on all values of a number at once.
 namespace taut::material
 {
-/// Some metric that no limited spring is beyond.
-template <class Number>
-Mask<Number> is_within_limits(const Elastomer& elastomer,
-                              const SymmetricTensor2<Number>& C,
-                              InternalVariables<Number> A)
-{
-  const Mask<Number> positive = is_less(Number(0.), compute_determinant(C));
-  Mask<Number> within = positive & is_less(Number(0.), C.xx);
-  const Number first = compute_invariants(C).first();
-  for (const Spring& spring : elastomer.springs)
-    within = within & is_less(first, Number(first_invariant_limit(spring)));
-  for (const Network& network : elastomer.networks)
-    within = within & is_less(compute_invariants(C, *A++).first(),
-                              Number(first_invariant_limit(network.spring)));
-  return within;
-}
-
 /// The film with all springs neo-Hookean, S = pull - (push + field) C^-1, from
 /// which the search starts: its natural width is known.
 template <class Number>
@@ -191,7 +175,8 @@ template <class Number>
 auto WrinkleSearch<Number>::make_first_trial(const Tensor& S) const -> Trial
 {
   using std::sqrt;
-  const Mask<Number> within = is_within_limits(elastomer_, C_, internal_);
+  const Mask<Number> within =
+      is_within_limits(elastomer_, C_, internal_, field_);
   const auto directions = find_directions(C_, choose(within, S, twin_.pull));
   const Number det = compute_determinant(C_);
   const Number pull =
@@ -265,15 +250,16 @@ WrinkleSearch<Number>::find_one_direction(const Tensor& S,
 {
   Trial trial = make_first_trial(S);
   const Trial flat = {trial.directions, Number(0.)};
-  Trial fine =
-      choose_trial(is_within_limits(elastomer_, C_, internal_), flat, trial);
+  Trial fine = choose_trial(is_within_limits(elastomer_, C_, internal_, field_),
+                            flat, trial);
   Mask<Number> active = wanted;
   Wrinkles<Number> wrinkles;
   wrinkles.tension = Number(0.);
   for (unsigned int i = 0; i < most_iterations && any(active); ++i)
   {
     const Tensor metric = make_metric(trial);
-    const Mask<Number> within = is_within_limits(elastomer_, metric, internal_);
+    const Mask<Number> within =
+        is_within_limits(elastomer_, metric, internal_, field_);
     Tensor T;
     Matrix3<Number> D;
     evaluate(metric, T, D);
@@ -340,7 +326,8 @@ void WrinkleSearch<Number>::find_both_directions(const Mask<Number>& wanted,
   Mask<Number> active = wanted;
   for (unsigned int i = 0; i < most_iterations && any(active); ++i)
   {
-    const Mask<Number> within = is_within_limits(elastomer_, metric, internal_);
+    const Mask<Number> within =
+        is_within_limits(elastomer_, metric, internal_, field_);
     Mask<Number> converged;
     const Tensor next = make_step(metric, converged);
     const Mask<Number> advances = active & within;

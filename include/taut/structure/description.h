@@ -2,6 +2,7 @@
 
 #include <taut/base/signal.h>
 #include <taut/material/elastomer.h>
+#include <taut/material/humidity_law.h>
 #include <taut/material/temperature_law.h>
 
 #include <array>
@@ -62,6 +63,7 @@ struct Film : Named
   /// Relative humidity of the air, 0 to 1, uniform.
   Signal humidity = Signal::constant(0);
   material::ThermalLaws thermal;
+  material::HumidityLaws humidity_laws;
   /// In compression the film wrinkles or goes slack instead of carrying it.
   bool tension_field = true;
   /// Modulus (Pa) of fibres across `axis` that hold the width of the framed
@@ -194,7 +196,7 @@ struct Frame : Named
   Signal temperature = Signal::constant(293.15);
   Signal humidity = Signal::constant(0);
   material::TemperatureLaw modulus_law;
-  material::TemperatureLaw humidity_law;
+  material::HumidityLaw humidity_law;
   /// Rayleigh damping: forces mass_damping M v (1/s) and stresses
   /// stiffness_damping C strain rate (s, Kelvin-Voigt).
   double mass_damping = 0;

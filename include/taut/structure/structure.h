@@ -118,9 +118,10 @@ public:
                                            const double* u);
   /// Velocities (m/s) of all local nodes at the last compute_positions.
   fe::NodalVector compute_velocities(const LoadState& loads, const double* v);
-  /// One law per slot of the cells, at the temperatures of the loads. With
-  /// `time_step` (s) moduli and permittivities have gone on by it along their
-  /// tangents. Errors: StepRejected outside the range of a law of temperature.
+  /// One law per slot of the cells, at the temperatures and humidities of the
+  /// loads. With `time_step` (s) moduli and permittivities have gone on by it
+  /// along their tangents. Errors: StepRejected outside the range of a law of
+  /// temperature or humidity, with the film.
   std::vector<fe::BatchLaw> make_laws(const LoadState& loads, Networks networks,
                                       double time_step = 0) const;
 
@@ -139,7 +140,8 @@ public:
 
   /// forces = external minus internal forces on the free unknowns (N) and, if
   /// `rates` is given, the rates of the internal variables.
-  /// Errors: StepRejected, with the place, if a spring is beyond its limit.
+  /// Errors: StepRejected, with film, place, value and limit, if a law is
+  /// beyond its limit.
   void compute_forces(const LoadState& loads, const double* u,
                       const double* internal, Networks networks, double* forces,
                       double* rates);
