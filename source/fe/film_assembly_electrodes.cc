@@ -31,7 +31,7 @@ Capacitance compute_capacitance(const FilmCells& cells,
                                 const double* internal)
 {
   Buffer x(cells.nodal_size()), A(cells.internal_size()), permittivity(8);
-  Capacitance sum{0, {std::numeric_limits<double>::infinity(), {}, false}};
+  Capacitance sum{0, std::numeric_limits<double>::infinity()};
   for (unsigned int batch = 0; batch < cells.batches().size(); ++batch)
   {
     const FilmBatch& members = cells.batches()[batch];
@@ -42,10 +42,7 @@ Capacitance compute_capacitance(const FilmCells& cells,
     const LimitCheck check =
         compute_permittivity(cells.geometry(batch), laws[members.slot],
                              x.data(), A.data(), permittivity.data());
-    if (!(check.margin >= sum.limit.margin))
-      sum.limit = {check.margin,
-                   cells.mesh_point(members.cells[check.lane], check.point),
-                   check.wrinkles_grow};
+    sum.margin = material::get_smaller(sum.margin, check.margin);
     for (unsigned int lane = 0; lane < members.n_cells; ++lane)
       sum.value += permittivity[lane] / square_of_thickness(cells, members);
   }

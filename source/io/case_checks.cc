@@ -128,6 +128,12 @@ void check_film(const CaseText& text, const Film& film,
     check_humidity(text, {"Film " + film.name}, film.humidity, law,
                    "the law of the " + std::string(name) + " of its material",
                    procedure);
+  for (const auto& factor : film.material.dielectric.breakdown.factors)
+    if (const auto* by_temperature =
+            std::get_if<material::TemperatureStrength>(&factor))
+      check_temperature(text, {"Film " + film.name}, film.temperature,
+                        by_temperature->law,
+                        "the Breakdown law of its material", procedure);
   const auto& axis = film.axis;
   if (std::hypot(axis[0], axis[1], axis[2]) == 0)
     text.refuse({"Film " + film.name}, "Axis", "the direction has no length");

@@ -10,6 +10,7 @@ namespace taut::structure
 {
 namespace
 {
+using fe::compute_distance;
 using Vector = std::array<double, 3>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -24,13 +25,9 @@ Vector add_scaled(const Vector& a, const double s, const Vector& b)
   return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
 }
 
-double compute_distance(const Vector& a, const Vector& b)
-{
-  const Vector difference = subtract(a, b);
-  return std::sqrt(fe::dot(difference, difference));
-}
-
-double compute_distance(const Vector& x, const Vector& p, const Vector& q)
+/// From x to the straight line between p and q.
+double compute_distance_to_line(const Vector& x, const Vector& p,
+                                const Vector& q)
 {
   const Vector line = subtract(q, p);
   const double square = fe::dot(line, line);
@@ -47,9 +44,10 @@ double compute_segment_distance(const std::array<double, 3>& p_1,
                                 const std::array<double, 3>& q_2)
 {
   // The closest points are inside both pieces or one of them is an end.
-  const double of_ends = std::min(
-      {compute_distance(p_1, p_2, q_2), compute_distance(q_1, p_2, q_2),
-       compute_distance(p_2, p_1, q_1), compute_distance(q_2, p_1, q_1)});
+  const double of_ends = std::min({compute_distance_to_line(p_1, p_2, q_2),
+                                   compute_distance_to_line(q_1, p_2, q_2),
+                                   compute_distance_to_line(p_2, p_1, q_1),
+                                   compute_distance_to_line(q_2, p_1, q_1)});
   const Vector a = subtract(q_1, p_1), b = subtract(q_2, p_2),
                r = subtract(p_2, p_1);
   const double aa = fe::dot(a, a), bb = fe::dot(b, b), ab = fe::dot(a, b);
@@ -67,17 +65,6 @@ double compute_segment_distance(const std::array<double, 3>& p_1,
 
 namespace
 {
-/// A point of an element, s from 0 at its first end to 1 at its second.
-Vector interpolate(const std::vector<Vector>& nodes, const double s)
-{
-  // The bubble takes a third node from the middle of the ends.
-  Vector point = add_scaled(nodes[0], s, subtract(nodes[1], nodes[0]));
-  if (nodes.size() == 2)
-    return point;
-  const Vector middle = add_scaled(nodes[0], .5, subtract(nodes[1], nodes[0]));
-  return add_scaled(point, 4 * s * (1 - s), subtract(nodes[2], middle));
-}
-
 double compute_chain_distance(const std::vector<Vector>& a,
                               const std::vector<Vector>& b)
 {
@@ -131,7 +118,7 @@ FrameContact::Chain FrameContact::make_chain(const std::vector<Point>& nodes)
   Chain chain{{nodes[0]}, {}, 0};
   const unsigned int n = nodes.size() == 2 ? 1 : 4;
   for (unsigned int i = 1; i <= n; ++i)
-    chain.points.push_back(interpolate(nodes, double(i) / n));
+    chain.points.push_back(interpolate_edge(nodes, double(i) / n));
   chain.centre = chain.points[n / 2];
   for (const Point& point : chain.points)
     chain.radius =

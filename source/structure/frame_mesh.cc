@@ -79,18 +79,6 @@ collect_film_edges(const std::map<unsigned int, unsigned int>& frame_of,
   return edges;
 }
 
-/// A point of the parabola (or straight line) through `nodes`, s from 0 to 1.
-Coordinates interpolate(const std::vector<Coordinates>& nodes, const double s)
-{
-  Coordinates x{};
-  for (unsigned int c = 0; c < 3; ++c)
-    x[c] = nodes.size() == 2 ? (1 - s) * nodes[0][c] + s * nodes[1][c]
-                             : (1 - s) * (1 - 2 * s) * nodes[0][c] +
-                                   s * (2 * s - 1) * nodes[1][c] +
-                                   4 * s * (1 - s) * nodes[2][c];
-  return x;
-}
-
 /// Lines of their own, cut into equal pieces with `degree` + 1 nodes.
 void add_free_edges(const std::map<unsigned int, unsigned int>& frame_of,
                     const fe::MeshData& mesh, const unsigned int degree,
@@ -110,9 +98,10 @@ void add_free_edges(const std::map<unsigned int, unsigned int>& frame_of,
     {
       const double begin = double(i) / pieces, end = double(i + 1) / pieces;
       RawEdge edge{found->second, found->first, {}};
-      edge.nodes = {interpolate(nodes, begin), interpolate(nodes, end)};
+      edge.nodes = {interpolate_edge(nodes, begin),
+                    interpolate_edge(nodes, end)};
       if (degree == 2)
-        edge.nodes.push_back(interpolate(nodes, 0.5 * (begin + end)));
+        edge.nodes.push_back(interpolate_edge(nodes, 0.5 * (begin + end)));
       edges.push_back(edge);
     }
   }
@@ -170,6 +159,18 @@ void find_film_nodes(const DoFHandler& dof_handler,
       frame_mesh.film_nodes[place] = node;
 }
 } // namespace
+
+fe::Coordinates interpolate_edge(const std::vector<fe::Coordinates>& nodes,
+                                 const double s)
+{
+  Coordinates x{};
+  for (unsigned int c = 0; c < 3; ++c)
+    x[c] = nodes.size() == 2 ? (1 - s) * nodes[0][c] + s * nodes[1][c]
+                             : (1 - s) * (1 - 2 * s) * nodes[0][c] +
+                                   s * (2 * s - 1) * nodes[1][c] +
+                                   4 * s * (1 - s) * nodes[2][c];
+  return x;
+}
 
 double compute_extent(const fe::MeshData& mesh)
 {

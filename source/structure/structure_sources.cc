@@ -47,15 +47,17 @@ void Structure::make_source_scales()
   dealii::Utilities::MPI::max(voltage_scales_, communicator(), voltage_scales_);
 }
 
-double Structure::compute_capacitance(const unsigned int electrode,
-                                      const LoadState& loads,
-                                      const double* internal,
-                                      const Networks networks,
-                                      fe::LimitReport& limit) const
+/// Nothing where the film cannot bear the voltage.
+std::optional<double>
+Structure::compute_capacitance(const unsigned int electrode,
+                               const LoadState& loads, const double* internal,
+                               const Networks networks) const
 {
   const auto own = fe::compute_capacitance(*cells_, make_laws(loads, networks),
                                            electrode, positions_, internal);
-  limit = own.limit;
+  const double margin = std::isnan(own.margin) ? -1. : own.margin;
+  if (!(dealii::Utilities::MPI::min(margin, communicator()) > 0))
+    return std::nullopt;
   return sum(own.value);
 }
 
@@ -70,17 +72,10 @@ LoadState Structure::resolve_voltages(LoadState loads, const double* u,
   {
     if (!loads.charge_is_given[e])
       continue;
-    const auto capacitance_of =
-        [&](const double voltage) -> std::optional<double>
+    const auto capacitance_of = [&](const double voltage)
     {
       loads.voltages[e] = voltage;
-      fe::LimitReport limit{};
-      const double capacitance =
-          compute_capacitance(e, loads, internal, networks, limit);
-      const double margin = std::isnan(limit.margin) ? -1. : limit.margin;
-      if (dealii::Utilities::MPI::min(margin, communicator()) > 0)
-        return capacitance;
-      return std::nullopt;
+      return compute_capacitance(e, loads, internal, networks);
     };
     loads.voltages[e] =
         find_voltage(capacitance_of, loads.charges[e], last_voltages_[e],

@@ -101,6 +101,10 @@ const Refusal laws[] = {
     {"range downwards", strength,
      "set Breakdown strength = 1e8\n    set Breakdown law = stretch(1; 6, 1)",
      "subsection Material rubber", "Material rubber", "highest stretch"},
+    {"temperature outside of the law", strength,
+     "set Breakdown strength = 1e8\n    set Breakdown law = "
+     "temperature(table(300: 1, 350: 0.5))",
+     "subsection Film left", "Film left/Temperature", "Breakdown law"},
     {"law without a strength", strength, "set Breakdown law = stretch(1; 1, 6)",
      "set Breakdown law", law, "no Breakdown strength"}};
 INSTANTIATE_TEST_SUITE_P(Laws, BadFailure, ::testing::ValuesIn(laws));

@@ -34,10 +34,12 @@ structure::Device make_device(const std::array<double, 2>& pre_stretch)
 class Sheet
 {
 public:
-  explicit Sheet(const structure::Device& device)
+  explicit Sheet(
+      const structure::Device& device,
+      const structure::Networks networks = structure::Networks::as_given)
       : model_(device, testing::make_sheet_mesh()),
         system_(*model_.structure, {}), probes_(system_),
-        watches_(system_, probes_),
+        watches_(system_, probes_, networks),
         state_(system_.make_initial_state(0, structure::Start::unrelaxed, false,
                                           {}))
   {
@@ -132,6 +134,21 @@ TEST(PullIn, HeldWidthHasNone)
     EXPECT_NEAR(margin, 1 - e * w * w / without, 1e-10);
     EXPECT_GT(margin, 0);
   }
+}
+
+TEST(PullIn, NetworksAreFrozenUnlessTheFilmIsRelaxed)
+{
+  // Half of the modulus in a network with A = 1, which is that of a spring.
+  auto device = make_device({{1, 1}});
+  auto& material = device.films[0].material;
+  material.springs = {material::NeoHookean{.5}};
+  material.networks = {{material::NeoHookean{.5}, 1}};
+  constexpr double l = 1.1, e = .16;
+  EXPECT_NEAR(Sheet(device).compute_margin(std::sqrt(e), l, l),
+              compute_share(l, e), 1e-10);
+  Sheet relaxed(device, structure::Networks::relaxed);
+  EXPECT_NEAR(relaxed.compute_margin(std::sqrt(e), l, l),
+              compute_share(l, 2 * e), 1e-10);
 }
 
 TEST(PullIn, ReportSaysWhere)

@@ -45,7 +45,8 @@ struct Capacitance
 {
   /// Of this rank's part of an electrode, charge over voltage (F).
   double value;
-  LimitReport limit;
+  /// Of its film, as in LimitCheck.
+  double margin;
 };
 Capacitance compute_capacitance(const FilmCells& cells,
                                 const std::vector<BatchLaw>& laws,

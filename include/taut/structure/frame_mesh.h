@@ -53,6 +53,11 @@ std::set<unsigned int> find_group_places(const std::vector<std::string>& groups,
                                          const FrameMesh& frame_mesh,
                                          const fe::MeshData& mesh);
 
+/// A point of the parabola (or straight line) through the nodes of an edge, its
+/// ends and its middle; s from 0 to 1.
+fe::Coordinates interpolate_edge(const std::vector<fe::Coordinates>& nodes,
+                                 double s);
+
 /// Largest extent of all points of the mesh along an axis (m).
 double compute_extent(const fe::MeshData& mesh);
 } // namespace taut::structure

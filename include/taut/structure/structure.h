@@ -269,9 +269,10 @@ private:
   void make_border(const LoadState& loads, Networks networks, double alpha);
   SourceBorder::Column make_column(unsigned int electrode,
                                    const LoadState& loads, Networks networks);
-  double compute_capacitance(unsigned int electrode, const LoadState& loads,
-                             const double* internal, Networks networks,
-                             fe::LimitReport& limit) const;
+  std::optional<double> compute_capacitance(unsigned int electrode,
+                                            const LoadState& loads,
+                                            const double* internal,
+                                            Networks networks) const;
   fe::PressureLoad make_pressure(const std::vector<std::string>& groups) const;
   void make_weight();
   double compute_least_force() const;
