@@ -250,7 +250,7 @@ TEST(BadCases, RelaxedNetworksDoNotFeelThePreStretch)
       edit(network, "    set Law = Gent\n    set Limit = 5\n");
   const CaseOnDisk disk(content);
   EXPECT_NO_THROW(read_case(disk.file()));
-  expect_refused(content, "exceeds the limit", {"Procedure/Start = unrelaxed"});
+  expect_refused(content, "is beyond the limit", {"Procedure/Start = unrelaxed"});
 }
 
 const char* const resonator = R"(set Model = resonator
@@ -306,7 +306,7 @@ TEST(BadOverrides, NameTheOption)
   refused("Film left/Thickness = 1 mm", "carries a unit");
   refused("Film left/Thicknes = 1", "did you mean 'Thickness'");
   refused("Film lefd/Thickness = 1", "did you mean 'Film left'");
-  refused("Film left/Pre-stretch = 9, 9", "exceeds the limit");
+  refused("Film left/Pre-stretch = 9, 9", "is beyond the limit");
   refused("Title = a # b", "'#'");
 }
 

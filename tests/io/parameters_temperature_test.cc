@@ -129,7 +129,7 @@ const Refusal refusals[] = {
     {"no coefficients", polynomial, "polynomial(299, 280, 340)", "set Modulus",
      modulus, "';'"},
     {"two temperatures", polynomial, "polynomial(299, 280; 1)", "set Modulus",
-     modulus, "three temperatures"},
+     modulus, "three values of the temperature"},
     {"range downwards", polynomial, "polynomial(299, 340, 280; -0.005)",
      "set Modulus", modulus, "upwards"},
     {"no number", polynomial, "polynomial(299, 280, 340; warm)", "set Modulus",
