@@ -202,6 +202,10 @@ DemesEquivalent make_demes_equivalent(const Case& film_case,
   if (find_quads(electrode.groups, mesh) != find_quads(film.groups, mesh))
     refuse(film_case, "Electrode", electrode,
            "the electrode of the lumped DEMES covers the whole film");
+  if (electrode.control != structure::Electrode::Control::voltage)
+    refuse(film_case, "Electrode", electrode,
+           "the models are compared at equal voltage: it needs Control = "
+           "voltage");
   const FilmStrip strip = measure_strip(film, mesh, film_case.file);
   const LegMeasures legs = measure_legs(film_case, strip, mesh);
   DemesEquivalent result;

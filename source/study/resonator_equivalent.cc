@@ -109,6 +109,10 @@ void check_films(const Parts& parts)
 
 void check_electrode(const Parts& parts)
 {
+  if (parts.electrode.control != structure::Electrode::Control::voltage)
+    refuse(parts.film_case, "Electrode", parts.electrode,
+           "the source of the lumped resonator holds the voltage: it needs "
+           "Control = voltage");
   if (find_quads(parts.electrode.groups, parts.mesh) !=
       find_quads(parts.active.groups, parts.mesh))
     refuse(parts.film_case, "Electrode", parts.electrode,

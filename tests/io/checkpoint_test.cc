@@ -34,6 +34,10 @@ structure::Device make_device()
   device.supports = {
       taut::testing::make_support("west", {{true, true, true}}),
       taut::testing::make_support("east", {{true, false, true}})};
+  device.electrodes = {
+      taut::testing::make_electrode("left", Signal::constant(3000))};
+  device.electrodes[0].control = structure::Electrode::Control::circuit;
+  device.electrodes[0].series_resistance = 1e8;
   structure::RigidBar bar;
   bar.name = "bar";
   bar.groups = {"middle"};
@@ -102,7 +106,8 @@ std::vector<double> make_state(structure::InertialSystem& system)
     for (unsigned int q = 0; q < cells.element().n_nodes; ++q)
       for (unsigned int i = 0; i < 3 * cells.n_networks(cell); ++i)
         state.push_back(make_number(cells.mesh_point(cell, q), 3. + i));
-  for (std::size_t i = 0; i < system.layout().scalars; ++i)
+  for (std::size_t i = 0; i < system.layout().globals + system.layout().scalars;
+       ++i)
     state.push_back(.1 * i);
   return state;
 }

@@ -241,6 +241,41 @@ TEST(Circuit, AloneAndTogetherDoTheSame)
   EXPECT_NEAR(stored[0], stored[1], 1e-9 * stored[1]);
 }
 
+TEST(Circuit, ARunGoesOnFromACheckpoint)
+{
+  testing::Model model(make_bowl_device(Control::charge), make_bowl());
+  constexpr double middle = .006, end = .012;
+  time::IntegratorOptions options;
+  options.position_tolerance = 1e-7;
+  time::Schedule schedule;
+  schedule.end = end;
+  schedule.restart_times = {middle};
+  structure::InertialSystem system(*model.structure);
+  auto whole =
+      system.make_initial_state(0, structure::Start::unrelaxed, true, {});
+  std::vector<double> checkpoint;
+  time::Observer observer;
+  observer.checkpoint = [&](double, const double* state)
+  { checkpoint.assign(state, state + whole.size()); };
+  integrate(system, whole.data(), schedule, options, {}, observer);
+  ASSERT_EQ(checkpoint.size(), whole.size());
+  // A structure of its own, which has seen no voltage before.
+  testing::Model other(make_bowl_device(Control::charge), make_bowl());
+  structure::InertialSystem resumed(*other.structure);
+  resumed.history().enter_interval(middle);
+  schedule.start = middle;
+  schedule.restart_times.clear();
+  integrate(resumed, checkpoint.data(), schedule, options, {}, {});
+  double difference = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    difference = std::max(difference, std::abs(checkpoint[i] - whole[i]));
+  EXPECT_LT(difference, 1e-10);
+  const double charge = system.get_charges(whole.data())[0];
+  EXPECT_GT(charge, 0);
+  EXPECT_NEAR(resumed.get_charges(checkpoint.data())[0], charge,
+              1e-10 * charge);
+}
+
 TEST(Circuit, SolveInvertsTheSystemWithInertia)
 {
   auto device = make_bowl_device(Control::charge);

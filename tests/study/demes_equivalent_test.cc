@@ -147,6 +147,13 @@ Entry named(const std::string& name)
 }
 
 const std::vector<Refusal> refusals = {
+    {"Charge",
+     [](Case& c)
+     {
+       auto& electrode = c.device.electrodes[0];
+       electrode.control = structure::Electrode::Control::charge;
+     },
+     "Electrode electrode of film", "Control = voltage"},
     {"TwoNetworks",
      [](Case& c)
      {

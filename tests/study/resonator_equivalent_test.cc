@@ -106,6 +106,13 @@ structure::Film& right(Case& spoiled)
 }
 
 const std::vector<Refusal> refusals = {
+    {"Circuit",
+     [](Case& c)
+     {
+       auto& electrode = c.device.electrodes[0];
+       electrode.control = structure::Electrode::Control::circuit;
+     },
+     "Control = voltage"},
     {"NoSection", [](Case& c) { c.comparison.reset(); }, "'Comparison'"},
     {"Equilibrium",
      [](Case& c) { c.procedure.analysis = structure::Analysis::equilibrium; },
