@@ -151,6 +151,32 @@ TEST(PullIn, NetworksAreFrozenUnlessTheFilmIsRelaxed)
               compute_share(l, 2 * e), 1e-10);
 }
 
+TEST(PullIn, OfAWrinkledFilmIsThatOfItsRelaxedEnergy)
+{
+  // With the width free to wrinkle, w^4 = l^-2/(1 - e l^2) and
+  // W = l^2/2 + q/l, q^2 = 1 - e l^2. Both states, with and without field,
+  // are wider than the place of .7.
+  auto device = make_device({{1, .7}});
+  device.films[0].tension_field = true;
+  device.supports.push_back(
+      testing::make_support("north", {{false, true, false}}));
+  Sheet sheet(device);
+  const auto compute_curvature = [](const double l, const double e)
+  {
+    const double q = std::sqrt(1 - e * l * l);
+    return 1 + 2 * q / std::pow(l, 3) + e / (q * l) - e * e * l / (q * q * q);
+  };
+  for (const double l : {1.3, 1.5})
+    for (const double e : {.1, .25, .4})
+    {
+      const double k = compute_curvature(l, e), bare = compute_curvature(l, 0);
+      // The cost of wrinkles is 1e-6 of the modulus.
+      EXPECT_NEAR(sheet.compute_margin(std::sqrt(e), l, 1),
+                  k / (std::abs(k) + std::abs(k - bare)), 1e-4)
+          << l << " " << e;
+    }
+}
+
 TEST(PullIn, ReportSaysWhere)
 {
   auto device = make_device({{1, 1}});

@@ -15,7 +15,8 @@ struct FrameClearance
   double distance;                    ///< (m)
   double mesh_distance;               ///< the same in the mesh (m)
   std::array<unsigned int, 2> frames; ///< indices in the description
-  std::array<double, 3> mesh_point;   ///< middle of the first element (m)
+  /// Of the first element: its middle, or an end if it has no middle node (m).
+  std::array<double, 3> mesh_point;
 };
 
 /// The clearances of frames: of curled ones from themselves, and of one from
