@@ -215,8 +215,15 @@ std::optional<PathState> find_other_branch(PathSolver& solver,
         solver.find_direction_across(point.state.x, point.mode));
     if (changes_sign(across.parameter, last.tangent.parameter))
       across = add(across, -2, across);
-    const PathState state = step_aside(solver, point.state, across, step);
-    return is_stable(state) ? std::optional(state) : std::nullopt;
+    // A long step may pass the stable part of the branch.
+    for (const double share : {1., .1, .01})
+    {
+      const PathState state =
+          step_aside(solver, point.state, across, share * step);
+      if (is_stable(state))
+        return state;
+    }
+    return std::nullopt;
   }
   const PathVector side = make_side(solver, point, direction);
   const PathState wanted = step_aside(solver, point.state, side, step);
