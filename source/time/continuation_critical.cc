@@ -19,8 +19,9 @@ constexpr double turn_tolerance = 1e-6;
 constexpr double crossing_tolerance = 1e-10;
 /// Of a step: shorter ones are not cut to part critical points that coincide.
 constexpr double inseparable = 1e-3;
-/// A load that works less on a mode does not work on it.
-constexpr double no_load = 1e-4;
+/// A load that works less on a mode does not work on it: a turn is found to
+/// within such a part of a step.
+constexpr double no_load = 1e-2;
 
 /// Of the values on both sides: what is left where a function vanishes.
 constexpr double largest_jump = 1e-2;

@@ -68,6 +68,10 @@ TEST(PathFollowing, AGentFilmSnapsThroughAndBack)
   EXPECT_LT(get_stretch(*model, path, landings[0]), 1.05);
 }
 
+/// Where paths of bows begin: a film without tension would not keep its ends in
+/// their plane.
+constexpr double unstretched = .01;
+
 /// A bow whose film is stretched from 1 to the pre-stretch in the time from 0
 /// to 1, and then has the voltage Et = t - 1.
 std::unique_ptr<Model> make_stretched_bow(const Bow& bow)
@@ -106,7 +110,7 @@ TEST(PathFollowing, AFilmThatIsStretchedInItsFrameBendsIt)
     bow.stiffness_number = bow.pre_stretch / threshold;
     const auto model = make_stretched_bow(bow);
     Path path = make_bow_path(*model, side);
-    path.follow(0, 1);
+    path.follow(unstretched, 1);
     const auto bifurcations = path.select(Kind::bifurcation);
     ASSERT_EQ(bifurcations.size(), 1u);
     // The beam yields by 1e-7 of its curvature.
@@ -118,6 +122,14 @@ TEST(PathFollowing, AFilmThatIsStretchedInItsFrameBendsIt)
     const auto middle = get_frame_position(*model->structure, path.get_loads(1),
                                            path.u.data(), "beam_middle");
     EXPECT_GT(side * middle[2], .1 * bow.length());
+    // And it straightens again when the film is let go.
+    path.follow(1, unstretched);
+    const auto meetings = path.select(Kind::bifurcation);
+    ASSERT_EQ(meetings.size(), 1u);
+    EXPECT_NEAR(1 + meetings[0].parameter * (bow.pre_stretch - 1), threshold,
+                3e-6);
+    for (const auto& point : path.points)
+      EXPECT_EQ(point.negative_eigenvalues, 0) << point.parameter;
   }
 }
 
@@ -136,7 +148,7 @@ TEST(PathFollowing, TheStableBranchEndsInTheExactRestShape)
     bow.pre_stretch = row.pre_stretch;
     const auto model = make_stretched_bow(bow);
     Path path = make_bow_path(*model, 1);
-    EXPECT_EQ(path.follow(0, 1).end, time::CurveEnd::reached);
+    EXPECT_EQ(path.follow(unstretched, 1).end, time::CurveEnd::reached);
     const auto shape =
         measure_bow(*model->structure, path.get_loads(1), path.u.data());
     EXPECT_NEAR(shape.slope, row.slope, 1e-5);
@@ -151,7 +163,7 @@ TEST(PathFollowing, AVoltageFlattensTheBowAndLetsItBendAgain)
   bow.pre_stretch = 3;
   const auto model = make_stretched_bow(bow);
   Path path = make_bow_path(*model, 1);
-  path.follow(0, 1);
+  path.follow(unstretched, 1);
   path.options.parameters = {1.2, 1.4, 1.6, 1.8};
   const std::vector<double> slopes{1.5091254270, 1.4476943834, 1.2942757789,
                                    .7364634942};
