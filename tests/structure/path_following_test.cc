@@ -13,6 +13,17 @@ namespace taut::testing
 {
 namespace
 {
+TEST(PathFollowing, LeesFrameSnapsAtTheReferenceLoads)
+{
+  const auto model = make_lee(12);
+  Path path(*model->structure);
+  path.follow(0, 2);
+  const auto limits = path.select(Kind::limit);
+  ASSERT_EQ(limits.size(), 2u);
+  EXPECT_NEAR(limits[0].parameter / 1.85465587, 1, 1e-6);
+  EXPECT_NEAR(limits[1].parameter / -.93961424, 1, 1e-6);
+}
+
 /// A quarter of a square of Gent rubber, free in its plane, under the voltage
 /// Et = t: Et^2 = (l^-2 - l^-8)/(1 - (2 l^2 + l^-4 - 3)/J). One bilinear cell,
 /// in which every shape is homogeneous or far from it.
@@ -190,6 +201,94 @@ TEST(PathFollowing, AVoltageFlattensTheBowAndLetsItBendAgain)
     EXPECT_NEAR(measure(path.points[forward ? path.points.size() - 1 : 0]), 0,
                 1e-9);
   }
+}
+/// An eighth of a closed neo-Hookean sphere; modulus, radius and thickness are
+/// 1, so that p = 2 (l^-1 - l^-7), largest at l = 7^(1/6).
+TEST(PathFollowing, ABalloonHasItsLargestPressureAtTheReference)
+{
+  structure::Device device;
+  device.films = {make_film(material::NeoHookean{1}, 1, {{1, 1}})};
+  device.films[0].axis = {{.3, .5, -.8}};
+  device.supports = {make_support("x0", {{true, false, false}}),
+                     make_support("y0", {{false, true, false}}),
+                     make_support("z0", {{false, false, true}})};
+  device.pressures = {make_pressure("film", make_slope(1))};
+  const Model model(device, make_octant(8));
+  Path path(*model.structure);
+  path.options.steps = 4;
+  path.options.largest_step = .3;
+  path.options.most_points = 8;
+  path.follow(.5, 2);
+  const auto limits = path.select(Kind::limit);
+  ASSERT_EQ(limits.size(), 1u);
+  EXPECT_NEAR(limits[0].parameter, 1.2394629024, 1.2e-6);
+  EXPECT_EQ(path.points.back().negative_eigenvalues, 1);
+}
+
+/// A flat neo-Hookean membrane whose rim is clamped at the radius 1, with
+/// modulus and thickness 1: the heights of its apex wherever the path passes
+/// the pressure, on a quarter with 3 n^2 cells.
+std::vector<Path::Point> inflate(const double pressure, const unsigned int n,
+                                 std::vector<double>& heights)
+{
+  structure::Device device;
+  device.films = {make_film(material::NeoHookean{1}, 1, {{1, 1}})};
+  device.supports = {make_support("rim", {{true, true, true}}),
+                     make_support("x0", {{true, false, false}}),
+                     make_support("y0", {{false, true, false}})};
+  device.pressures = {make_pressure("film", make_slope(1))};
+  const Model model(device, make_quarter_disc(n));
+  Path path(*model.structure);
+  path.options.parameters = {pressure};
+  path.options.steps = 3;
+  path.options.largest_step = .3;
+  path.options.most_points = 9;
+  const auto& free = model.structure->free_unknowns();
+  std::size_t apex = 0;
+  for (std::size_t i = 0; i < free.size(); ++i)
+  {
+    const auto& X = model.structure->nodes().mesh_position[free[i] / 3];
+    if (free[i] % 3 != 2)
+      continue;
+    // A flat film without tension has no stiffness, a bowl has.
+    path.u[i] = .6 * (1 - X[0] * X[0] - X[1] * X[1]);
+    if (std::hypot(X[0], X[1]) < 1e-9)
+      apex = i;
+  }
+  path.follow(1.2, 2.4);
+  for (const auto& point : path.points)
+    heights.push_back(point.shape[apex]);
+  return path.points;
+}
+
+TEST(PathFollowing, AnInflatedMembraneGoesPastItsLargestPressure)
+{
+  // At the polar stretch 3, beyond the limit point.
+  constexpr double pressure = 1.8079220953, reference = 1.4888464333;
+  double errors[2];
+  for (const unsigned int level : {0, 1})
+  {
+    std::vector<double> heights;
+    const auto points = inflate(pressure, 8 << level, heights);
+    unsigned int n_limits = 0;
+    errors[level] = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      n_limits += points[i].kind == Kind::limit;
+      if (points[i].kind != Kind::requested || n_limits == 0)
+        continue;
+      errors[level] = std::abs(heights[i] - reference);
+      // The curve falls by 0.39 per height there.
+      if (level == 1)
+      {
+        EXPECT_LT(.39 * errors[level], 1e-6 * pressure);
+      }
+      EXPECT_EQ(points[i].negative_eigenvalues, 1);
+    }
+    EXPECT_EQ(n_limits, 1u);
+  }
+  // Energies of Q2 converge with the fourth order.
+  EXPECT_NEAR(std::log2(errors[0] / errors[1]), 4, .2);
 }
 } // namespace
 } // namespace taut::testing
