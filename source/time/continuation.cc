@@ -208,6 +208,11 @@ void Curve::add_part(const PathState& a, const Found& b, Stretch& stretch)
       found.push_back({Kind::landing, *landing});
       stretch.departure.reset();
     }
+  // The first point on another branch may be the end already.
+  if (b.kind == Kind::branch_switch)
+    for (Found& crossing : found)
+      if (crossing.kind == Kind::regular)
+        crossing.kind = Kind::branch_switch;
   std::stable_sort(found.begin(), found.end(),
                    [&](const Found& x, const Found& y)
                    {

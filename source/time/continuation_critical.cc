@@ -19,8 +19,9 @@ constexpr double turn_tolerance = 1e-6;
 constexpr double crossing_tolerance = 1e-10;
 /// Of a step: shorter ones are not cut to part critical points that coincide.
 constexpr double inseparable = 1e-3;
-/// A load that works less on a mode does not work on it.
-constexpr double no_load = 1e-4;
+/// A load that works less on a mode does not work on it: a turn is found to
+/// within such a part of a step.
+constexpr double no_load = 1e-2;
 
 /// Of the values on both sides: what is left where a function vanishes.
 constexpr double largest_jump = 1e-2;
@@ -215,8 +216,15 @@ std::optional<PathState> find_other_branch(PathSolver& solver,
         solver.find_direction_across(point.state.x, point.mode));
     if (changes_sign(across.parameter, last.tangent.parameter))
       across = add(across, -2, across);
-    const PathState state = step_aside(solver, point.state, across, step);
-    return is_stable(state) ? std::optional(state) : std::nullopt;
+    // A long step may pass the stable part of the branch.
+    for (const double share : {1., .1, .01})
+    {
+      const PathState state =
+          step_aside(solver, point.state, across, share * step);
+      if (is_stable(state))
+        return state;
+    }
+    return std::nullopt;
   }
   const PathVector side = make_side(solver, point, direction);
   const PathState wanted = step_aside(solver, point.state, side, step);

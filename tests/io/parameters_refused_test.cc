@@ -241,6 +241,28 @@ TEST(BadCases, BreakdownOfAMaterialWithoutStrengthIsRefused)
   expect_refused(content, "Breakdown strength");
 }
 
+TEST(BadCases, AFilmIsStretchedInItsFrameInStaticAnalysesOnly)
+{
+  const std::string share = "Film left/Pre-stretch share = ramp(1, 0, 1)";
+  for (const char* analysis : {"transient", "quasi-static"})
+    expect_refused(small_case, "only in static analyses",
+                   {share, std::string("Procedure/Analysis = ") + analysis});
+  const CaseOnDisk disk(small_case);
+  for (const char* analysis : {"equilibrium", "continuation"})
+    EXPECT_NO_THROW(read_case(
+        disk.file(), {share, std::string("Procedure/Analysis = ") + analysis}));
+}
+
+TEST(BadCases, PathsNeedStepsAndASide)
+{
+  const std::string path = "Procedure/Continuation/";
+  expect_refused(small_case, "has no length", {path + "Direction = 0, 0, 0"});
+  expect_refused(small_case, "1", {path + "Steps = 0"});
+  expect_refused(small_case, "2", {path + "Most points = 1"});
+  expect_refused(small_case, "0.0001", {path + "Largest step = 0"});
+  expect_refused(small_case, "stable", {path + "Branch = secondary"});
+}
+
 TEST(BadCases, RelaxedNetworksDoNotFeelThePreStretch)
 {
   // The network's limit is passed by the pre-stretch only where it has just
