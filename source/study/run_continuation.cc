@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
+#include <utility>
 
 namespace taut::study
 {
@@ -115,6 +115,8 @@ private:
   /// Of the parts before this one.
   double length_ = 0, last_length_ = 0;
   bool jumps_ = false;
+  /// The next point is the last one of the part before.
+  bool is_told_ = false;
 };
 
 bool Continuation::observe(const time::CurvePoint& point)
@@ -186,7 +188,12 @@ bool Continuation::follow(std::vector<double> ends, const bool backward)
     const auto statistics = time::continue_path(
         problem_, ends[i - 1], ends[i], u_, options_,
         [&](const time::CurvePoint& point)
-        { return backward ? observe_return(point) : observe(point); });
+        {
+          if (std::exchange(is_told_, false))
+            return true;
+          return backward ? observe_return(point) : observe(point);
+        });
+    is_told_ = true;
     add(statistics);
     length_ = last_length_;
     note_end(statistics.end, statistics.parameter);
