@@ -17,6 +17,21 @@ struct Climate
   double humidity, humidity_step;
 };
 
+Climate get_climate(const LoadState& loads, const unsigned int film,
+                    const double time_step)
+{
+  return {loads.film_temperatures[film],
+          time_step * loads.film_temperature_rates[film],
+          loads.film_humidities[film],
+          time_step * loads.film_humidity_rates[film]};
+}
+
+bool is_constant(const Film& film)
+{
+  return material::is_constant(film.thermal) &&
+         material::is_constant(film.humidity_laws);
+}
+
 /// Errors: StepRejected outside the range of a law, with the film.
 material::Elastomer make_in_climate(const material::Elastomer& elastomer,
                                     const Film& film, const Climate& climate)
@@ -58,6 +73,19 @@ std::vector<fe::BatchLaw> Structure::make_laws(const LoadState& loads,
                                                const Networks networks,
                                                const double time_step) const
 {
+  // Of all films, so that every rank meets a law out of its range.
+  std::vector<std::shared_ptr<const material::Elastomer>> elastomers;
+  for (unsigned int film = 0; film < device_.films.size(); ++film)
+  {
+    const Film& description = device_.films[film];
+    elastomers.push_back(nullptr);
+    if (is_constant(description) && time_step == 0)
+      continue;
+    elastomers.back() = std::make_shared<const material::Elastomer>(
+        make_in_climate(networks == Networks::relaxed ? relaxed_[film]
+                                                      : description.material,
+                        description, get_climate(loads, film, time_step)));
+  }
   auto laws = fe::make_laws(*cells_, loads.voltages);
   for (unsigned int slot = 0; slot < laws.size(); ++slot)
   {
@@ -65,19 +93,12 @@ std::vector<fe::BatchLaw> Structure::make_laws(const LoadState& loads,
     if (carries_compression_)
       law.wrinkle_stiffness = 0;
     const unsigned int film = cells_->slots()[slot].film;
-    const Film& description = device_.films[film];
     law.field.temperature = loads.film_temperatures[film];
     if (networks == Networks::relaxed)
       law.elastomer = &relaxed_[film];
-    if (material::is_constant(description.thermal) &&
-        material::is_constant(description.humidity_laws) && time_step == 0)
+    if (!elastomers[film])
       continue;
-    law.owned = std::make_shared<material::Elastomer>(
-        make_in_climate(*law.elastomer, description,
-                        {loads.film_temperatures[film],
-                         time_step * loads.film_temperature_rates[film],
-                         loads.film_humidities[film],
-                         time_step * loads.film_humidity_rates[film]}));
+    law.owned = elastomers[film];
     law.elastomer = law.owned.get();
   }
   return laws;
