@@ -17,6 +17,21 @@ struct Climate
   double humidity, humidity_step;
 };
 
+Climate get_climate(const LoadState& loads, const unsigned int film,
+                    const double time_step)
+{
+  return {loads.film_temperatures[film],
+          time_step * loads.film_temperature_rates[film],
+          loads.film_humidities[film],
+          time_step * loads.film_humidity_rates[film]};
+}
+
+bool is_constant(const Film& film)
+{
+  return material::is_constant(film.thermal) &&
+         material::is_constant(film.humidity_laws);
+}
+
 /// Errors: StepRejected outside the range of a law, with the film.
 material::Elastomer make_in_climate(const material::Elastomer& elastomer,
                                     const Film& film, const Climate& climate)
@@ -81,6 +96,28 @@ std::vector<fe::BatchLaw> Structure::make_laws(const LoadState& loads,
                                                const Networks networks,
                                                const double time_step) const
 {
+  // Of all films, so that every rank meets a law out of its range.
+  std::vector<std::shared_ptr<const material::Elastomer>> elastomers;
+  for (unsigned int film = 0; film < device_.films.size(); ++film)
+  {
+    const Film& description = device_.films[film];
+    const double share = loads.pre_stretch_shares[film];
+    const bool moves_fibres = description.fibre_modulus > 0 && share != 1;
+    elastomers.push_back(nullptr);
+    if (is_constant(description) && time_step == 0 && !moves_fibres)
+      continue;
+    auto elastomer =
+        networks == Networks::relaxed ? relaxed_[film] : description.material;
+    // Fibres that hold the width of the frame do so however far the film is
+    // stretched.
+    if (moves_fibres)
+      elastomer.fibres.back() = material::make_fibres_across(
+          description.fibre_modulus,
+          compute_pre_stretch(description, share, 1));
+    elastomers.back() =
+        std::make_shared<const material::Elastomer>(make_in_climate(
+            elastomer, description, get_climate(loads, film, time_step)));
+  }
   auto laws = fe::make_laws(*cells_, loads.voltages);
   for (unsigned int slot = 0; slot < laws.size(); ++slot)
   {
@@ -88,31 +125,12 @@ std::vector<fe::BatchLaw> Structure::make_laws(const LoadState& loads,
     if (carries_compression_)
       law.wrinkle_stiffness = 0;
     const unsigned int film = cells_->slots()[slot].film;
-    const Film& description = device_.films[film];
     law.field.temperature = loads.film_temperatures[film];
     if (networks == Networks::relaxed)
       law.elastomer = &relaxed_[film];
-    // Fibres that hold the width of the frame do so however far the film is
-    // stretched.
-    const double share = loads.pre_stretch_shares[film];
-    if (description.fibre_modulus > 0 && share != 1)
-    {
-      auto elastomer = std::make_shared<material::Elastomer>(*law.elastomer);
-      elastomer->fibres.back() = material::make_fibres_across(
-          description.fibre_modulus,
-          compute_pre_stretch(description, share, 1));
-      law.owned = elastomer;
-      law.elastomer = law.owned.get();
-    }
-    if (material::is_constant(description.thermal) &&
-        material::is_constant(description.humidity_laws) && time_step == 0)
+    if (!elastomers[film])
       continue;
-    law.owned = std::make_shared<material::Elastomer>(
-        make_in_climate(*law.elastomer, description,
-                        {loads.film_temperatures[film],
-                         time_step * loads.film_temperature_rates[film],
-                         loads.film_humidities[film],
-                         time_step * loads.film_humidity_rates[film]}));
+    law.owned = elastomers[film];
     law.elastomer = law.owned.get();
   }
   return laws;

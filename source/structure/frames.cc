@@ -96,6 +96,10 @@ void Frames::add_forces(const LoadState& loads,
                         const fe::NodalVector& positions,
                         fe::NodalVector& forces) const
 {
+  // Of all frames, so that every rank meets a law out of its range.
+  std::vector<fe::BeamStiffness> stiffnesses;
+  for (unsigned int frame = 0; frame < device_.frames.size(); ++frame)
+    stiffnesses.push_back(get_stiffness(frame, loads));
   for (const auto& element : elements_)
     if (element.assembled_here)
     {
@@ -103,7 +107,7 @@ void Frames::add_forces(const LoadState& loads,
       std::vector<double> f(unknowns.size(), 0.);
       element.beam.add_forces(
           unknowns.data(),
-          compute_resultants(get_stiffness(element.frame, loads),
+          compute_resultants(stiffnesses[element.frame],
                              element.beam.compute_strains(unknowns.data())),
           f.data());
       scatter(element, f, forces);

@@ -59,11 +59,14 @@ fe::BeamStiffness Frames::get_stiffness(const unsigned int frame,
 double Frames::compute_heat_power(const LoadState& loads,
                                   const fe::NodalVector& positions) const
 {
+  // Of all frames, so that every rank meets a law out of its range.
+  std::vector<Softening> softenings;
+  for (unsigned int frame = 0; frame < device_.frames.size(); ++frame)
+    softenings.push_back(compute_softening(device_, loads, frame));
   double power = 0;
   for (const auto& element : elements_)
   {
-    const auto [factor, rate] =
-        compute_softening(device_, loads, element.frame);
+    const auto& [factor, rate] = softenings[element.frame];
     if (!element.assembled_here || rate == 0)
       continue;
     // The energy is the factor of the laws times one that does not change.

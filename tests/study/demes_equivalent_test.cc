@@ -184,6 +184,27 @@ const std::vector<Refusal> refusals = {
            material::PolynomialLaw{350, {-0.005}, 340, 365};
      },
      "Film film", "340"},
+    {"ChangingHumidity",
+     [](Case& c) { film(c).humidity = Signal::ramp(.1, 0, 1); }, "Film film",
+     "one humidity"},
+    {"HumidityOutsideOfALaw",
+     [](Case& c)
+     {
+       film(c).humidity_laws.modulus =
+           material::PolynomialLaw{.5, {-0.1}, .2, .9};
+     },
+     "Film film", "0.2"},
+    {"RelaxationLaw",
+     [](Case& c)
+     {
+       film(c).material.networks[0].relaxation =
+           material::StretchActivatedRelaxation{.5};
+     },
+     "Film film", "constant relaxation times"},
+    {"FibreFamily",
+     [](Case& c)
+     { film(c).material.fibres = {{material::QuadraticFibres{1e3}}}; },
+     "Film film", "no fibres"},
     {"SecondFilm",
      [](Case& c) { c.device.films.push_back(named<structure::Film>("other")); },
      "Film other", "no place for it"},

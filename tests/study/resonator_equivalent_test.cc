@@ -150,6 +150,22 @@ const std::vector<Refusal> refusals = {
      [](Case& c)
      { left(c).material.springs = {material::NeoHookean{shear_modulus}}; },
      "only Gent springs"},
+    {"RelaxationLaw",
+     [](Case& c)
+     {
+       left(c).material.networks[0].relaxation =
+           material::StretchActivatedRelaxation{.5};
+     },
+     "constant relaxation times"},
+    {"FibreFamily",
+     [](Case& c)
+     { left(c).material.fibres = {{material::QuadraticFibres{1e3}}}; },
+     "no fibres"},
+    {"HumidityLaws",
+     [](Case& c) {
+       left(c).humidity_laws.modulus = material::ExponentialLaw{.5, -1};
+     },
+     "no humidity"},
     {"OtherNetworkSpring",
      [](Case& c) {
        left(c).material.networks[0].spring =
