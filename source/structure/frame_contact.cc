@@ -10,34 +10,34 @@ namespace taut::structure
 {
 namespace
 {
-using Vector = std::array<double, 3>;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using Place = std::array<double, 3>;
 
-Vector subtract(const Vector& a, const Vector& b)
+Place subtract(const Place& a, const Place& b)
 {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 /// a + s b.
-Vector add_scaled(const Vector& a, const double s, const Vector& b)
+Place add_scaled(const Place& a, const double s, const Place& b)
 {
   return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
 }
 
-double compute_distance(const Vector& a, const Vector& b)
+double compute_point_distance(const Place& a, const Place& b)
 {
-  const Vector difference = subtract(a, b);
+  const Place difference = subtract(a, b);
   return std::sqrt(fe::dot(difference, difference));
 }
 
-double compute_distance(const Vector& x, const Vector& p, const Vector& q)
+/// From x to the straight piece from p to q.
+double compute_point_distance(const Place& x, const Place& p, const Place& q)
 {
-  const Vector line = subtract(q, p);
+  const Place line = subtract(q, p);
   const double square = fe::dot(line, line);
   const double share =
       square > 0 ? std::clamp(fe::dot(subtract(x, p), line) / square, 0., 1.)
                  : 0.;
-  return compute_distance(x, add_scaled(p, share, line));
+  return compute_point_distance(x, add_scaled(p, share, line));
 }
 } // namespace
 
@@ -47,11 +47,12 @@ double compute_segment_distance(const std::array<double, 3>& p_1,
                                 const std::array<double, 3>& q_2)
 {
   // The closest points are inside both pieces or one of them is an end.
-  const double of_ends = std::min(
-      {compute_distance(p_1, p_2, q_2), compute_distance(q_1, p_2, q_2),
-       compute_distance(p_2, p_1, q_1), compute_distance(q_2, p_1, q_1)});
-  const Vector a = subtract(q_1, p_1), b = subtract(q_2, p_2),
-               r = subtract(p_2, p_1);
+  const double of_ends = std::min({compute_point_distance(p_1, p_2, q_2),
+                                   compute_point_distance(q_1, p_2, q_2),
+                                   compute_point_distance(p_2, p_1, q_1),
+                                   compute_point_distance(q_2, p_1, q_1)});
+  const Place a = subtract(q_1, p_1), b = subtract(q_2, p_2),
+              r = subtract(p_2, p_1);
   const double aa = fe::dot(a, a), bb = fe::dot(b, b), ab = fe::dot(a, b);
   const double determinant = aa * bb - ab * ab;
   // Parallel lines are closest at ends as well.
@@ -61,27 +62,27 @@ double compute_segment_distance(const std::array<double, 3>& p_1,
   const double t = (fe::dot(r, a) * ab - fe::dot(r, b) * aa) / determinant;
   if (s < 0 || s > 1 || t < 0 || t > 1)
     return of_ends;
-  return std::min(
-      of_ends, compute_distance(add_scaled(p_1, s, a), add_scaled(p_2, t, b)));
+  return std::min(of_ends, compute_point_distance(add_scaled(p_1, s, a),
+                                                  add_scaled(p_2, t, b)));
 }
 
 namespace
 {
 /// A point of an element, s from 0 at its first end to 1 at its second.
-Vector interpolate(const std::vector<Vector>& nodes, const double s)
+Place find_point_along(const std::vector<Place>& nodes, const double s)
 {
   // The bubble takes a third node from the middle of the ends.
-  Vector point = add_scaled(nodes[0], s, subtract(nodes[1], nodes[0]));
+  Place point = add_scaled(nodes[0], s, subtract(nodes[1], nodes[0]));
   if (nodes.size() == 2)
     return point;
-  const Vector middle = add_scaled(nodes[0], .5, subtract(nodes[1], nodes[0]));
+  const Place middle = add_scaled(nodes[0], .5, subtract(nodes[1], nodes[0]));
   return add_scaled(point, 4 * s * (1 - s), subtract(nodes[2], middle));
 }
 
-double compute_chain_distance(const std::vector<Vector>& a,
-                              const std::vector<Vector>& b)
+double compute_chain_distance(const std::vector<Place>& a,
+                              const std::vector<Place>& b)
 {
-  double distance = infinity;
+  double distance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < a.size(); ++i)
     for (std::size_t j = 1; j < b.size(); ++j)
       distance = std::min(
@@ -131,11 +132,11 @@ FrameContact::Chain FrameContact::make_chain(const std::vector<Point>& nodes)
   Chain chain{{nodes[0]}, {}, 0};
   const unsigned int n = nodes.size() == 2 ? 1 : 4;
   for (unsigned int i = 1; i <= n; ++i)
-    chain.points.push_back(interpolate(nodes, double(i) / n));
+    chain.points.push_back(find_point_along(nodes, double(i) / n));
   chain.centre = chain.points[n / 2];
   for (const Point& point : chain.points)
     chain.radius =
-        std::max(chain.radius, compute_distance(point, chain.centre));
+        std::max(chain.radius, compute_point_distance(point, chain.centre));
   return chain;
 }
 
@@ -165,7 +166,7 @@ std::vector<bool> FrameContact::find_neighbours(const std::size_t element,
     ways[node] = 0;
   const auto find_way = [&](const FrameElement& to)
   {
-    double way = infinity;
+    double way = std::numeric_limits<double>::infinity();
     for (const auto node : to.positions)
       if (const auto found = ways.find(node); found != ways.end())
         way = std::min(way, found->second);
@@ -179,7 +180,8 @@ std::vector<bool> FrameContact::find_neighbours(const std::size_t element,
     {
       const double way = find_way(next) + next.beam.length();
       for (const auto node : next.positions)
-        if (const auto [entry, is_new] = ways.try_emplace(node, infinity);
+        if (const auto [entry, is_new] =
+                ways.try_emplace(node, std::numeric_limits<double>::infinity());
             way <= reach && way < entry->second)
         {
           entry->second = way;
@@ -217,15 +219,16 @@ FrameClearance FrameContact::find_closest(const fe::NodalVector& positions,
                                           const double gap) const
 {
   const auto chains = make_chains(positions);
-  double smallest = infinity, smallest_distance = infinity;
+  double smallest = std::numeric_limits<double>::infinity(),
+         smallest_distance = std::numeric_limits<double>::infinity();
   const Pair* closest = nullptr;
   for (const Pair& pair : pairs_)
   {
     const Chain& a = chains[pair.a];
     const Chain& b = chains[pair.b];
     const double scale = pair.mesh_distance - gap;
-    const double at_least = compute_distance(a.centre, b.centre) - a.radius -
-                            b.radius - pair.thickness;
+    const double at_least = compute_point_distance(a.centre, b.centre) -
+                            a.radius - b.radius - pair.thickness;
     if ((at_least - gap) / scale >= smallest)
       continue;
     const double distance =
