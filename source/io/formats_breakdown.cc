@@ -23,7 +23,8 @@ const char* const allowed_factors =
     "temperature(a law of temperature); stretch is the root of the area "
     "stretch, h0 in m, R0 in V/(m s)";
 
-[[noreturn]] void refuse(const std::string& text, const std::string& reason)
+[[noreturn]] void refuse_strength(const std::string& text,
+                                  const std::string& reason)
 {
   throw BadInput(fmt::format("'{}' is no law of the breakdown strength: {}; "
                              "allowed are {}",
@@ -47,20 +48,22 @@ std::vector<double> read_list(const std::string& list, const std::size_t n,
   }
   catch (const BadInput& problem)
   {
-    refuse(text, problem.message());
+    refuse_strength(text, problem.message());
   }
   if (values.size() != n)
-    refuse(text, fmt::format("'{}' has {} numbers in place of {}", list,
-                             values.size(), n));
+    refuse_strength(text, fmt::format("'{}' has {} numbers in place of {}",
+                                      list, values.size(), n));
   return values;
 }
 
-Numbers read_numbers(const std::string& inner, const std::size_t n_constants,
-                     const std::string& text)
+Numbers read_constants_and_range(const std::string& inner,
+                                 const std::size_t n_constants,
+                                 const std::string& text)
 {
   const std::size_t semicolon = inner.find(';');
   if (semicolon == std::string::npos)
-    refuse(text, "a ';' must stand before the range in which it holds");
+    refuse_strength(text,
+                    "a ';' must stand before the range in which it holds");
   const auto range = read_list(inner.substr(semicolon + 1), 2, text);
   return {read_list(inner.substr(0, semicolon), n_constants, text),
           {range[0], range[1]}};
@@ -68,20 +71,20 @@ Numbers read_numbers(const std::string& inner, const std::size_t n_constants,
 
 StrengthFactor read_stretch(const std::string& inner, const std::string& text)
 {
-  const Numbers numbers = read_numbers(inner, 1, text);
+  const Numbers numbers = read_constants_and_range(inner, 1, text);
   return StretchStrength{numbers.constants[0], numbers.range};
 }
 
 StrengthFactor read_thickness(const std::string& inner, const std::string& text)
 {
-  const Numbers numbers = read_numbers(inner, 2, text);
+  const Numbers numbers = read_constants_and_range(inner, 2, text);
   return ThicknessStrength{numbers.constants[0], numbers.constants[1],
                            numbers.range};
 }
 
 StrengthFactor read_rate(const std::string& inner, const std::string& text)
 {
-  const Numbers numbers = read_numbers(inner, 2, text);
+  const Numbers numbers = read_constants_and_range(inner, 2, text);
   return RateStrength{numbers.constants[0], numbers.constants[1],
                       numbers.range};
 }
@@ -108,12 +111,13 @@ StrengthFactor read_factor(const std::string& part, const std::string& text)
     if (word != name)
       continue;
     if (open == std::string::npos || part.back() != ')')
-      refuse(text,
-             fmt::format("what '{}' depends on must stand in brackets", name));
+      refuse_strength(
+          text,
+          fmt::format("what '{}' depends on must stand in brackets", name));
     return read(part.substr(open + 1, part.size() - open - 2), text);
   }
-  refuse(text, fmt::format("the factor '{}' is unknown; {}", name,
-                           suggest(name, known)));
+  refuse_strength(text, fmt::format("the factor '{}' is unknown; {}", name,
+                                    suggest(name, known)));
 }
 
 std::vector<StrengthFactor> read_factors(const std::string& text)

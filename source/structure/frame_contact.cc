@@ -11,25 +11,23 @@ namespace taut::structure
 namespace
 {
 using fe::compute_distance;
-using Vector = std::array<double, 3>;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using Place = std::array<double, 3>;
 
-Vector subtract(const Vector& a, const Vector& b)
+Place subtract(const Place& a, const Place& b)
 {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 /// a + s b.
-Vector add_scaled(const Vector& a, const double s, const Vector& b)
+Place add_scaled(const Place& a, const double s, const Place& b)
 {
   return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
 }
 
 /// From x to the straight line between p and q.
-double compute_distance_to_line(const Vector& x, const Vector& p,
-                                const Vector& q)
+double compute_distance_to_line(const Place& x, const Place& p, const Place& q)
 {
-  const Vector line = subtract(q, p);
+  const Place line = subtract(q, p);
   const double square = fe::dot(line, line);
   const double share =
       square > 0 ? std::clamp(fe::dot(subtract(x, p), line) / square, 0., 1.)
@@ -48,8 +46,8 @@ double compute_segment_distance(const std::array<double, 3>& p_1,
                                    compute_distance_to_line(q_1, p_2, q_2),
                                    compute_distance_to_line(p_2, p_1, q_1),
                                    compute_distance_to_line(q_2, p_1, q_1)});
-  const Vector a = subtract(q_1, p_1), b = subtract(q_2, p_2),
-               r = subtract(p_2, p_1);
+  const Place a = subtract(q_1, p_1), b = subtract(q_2, p_2),
+              r = subtract(p_2, p_1);
   const double aa = fe::dot(a, a), bb = fe::dot(b, b), ab = fe::dot(a, b);
   const double determinant = aa * bb - ab * ab;
   // Parallel lines are closest at ends as well.
@@ -65,10 +63,10 @@ double compute_segment_distance(const std::array<double, 3>& p_1,
 
 namespace
 {
-double compute_chain_distance(const std::vector<Vector>& a,
-                              const std::vector<Vector>& b)
+double compute_chain_distance(const std::vector<Place>& a,
+                              const std::vector<Place>& b)
 {
-  double distance = infinity;
+  double distance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < a.size(); ++i)
     for (std::size_t j = 1; j < b.size(); ++j)
       distance = std::min(
@@ -152,7 +150,7 @@ std::vector<bool> FrameContact::find_neighbours(const std::size_t element,
     ways[node] = 0;
   const auto find_way = [&](const FrameElement& to)
   {
-    double way = infinity;
+    double way = std::numeric_limits<double>::infinity();
     for (const auto node : to.positions)
       if (const auto found = ways.find(node); found != ways.end())
         way = std::min(way, found->second);
@@ -166,7 +164,8 @@ std::vector<bool> FrameContact::find_neighbours(const std::size_t element,
     {
       const double way = find_way(next) + next.beam.length();
       for (const auto node : next.positions)
-        if (const auto [entry, is_new] = ways.try_emplace(node, infinity);
+        if (const auto [entry, is_new] =
+                ways.try_emplace(node, std::numeric_limits<double>::infinity());
             way <= reach && way < entry->second)
         {
           entry->second = way;
@@ -204,7 +203,8 @@ FrameClearance FrameContact::find_closest(const fe::NodalVector& positions,
                                           const double gap) const
 {
   const auto chains = make_chains(positions);
-  double smallest = infinity, smallest_distance = infinity;
+  double smallest = std::numeric_limits<double>::infinity();
+  double smallest_distance = std::numeric_limits<double>::infinity();
   const Pair* closest = nullptr;
   for (const Pair& pair : pairs_)
   {

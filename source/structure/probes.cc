@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "entry_names.h"
+
 namespace taut::structure
 {
 namespace
@@ -58,15 +60,6 @@ bool needs_forces(const Kind kind)
 {
   return kind == Kind::charge || kind == Kind::capacitance ||
          kind == Kind::reaction;
-}
-
-template <typename Entry>
-std::vector<std::string> get_names(const std::vector<Entry>& entries)
-{
-  std::vector<std::string> names;
-  for (const auto& entry : entries)
-    names.push_back(entry.name);
-  return names;
 }
 
 /// "a, b" to {"a", "b"}.

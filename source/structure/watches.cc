@@ -9,12 +9,11 @@ namespace taut::structure
 {
 namespace
 {
-using Kind = EventDescription::Kind;
-
 std::unique_ptr<EventWatch> make_watch(StructureSystem& system, Probes& probes,
                                        const Networks networks,
                                        const EventDescription& event)
 {
+  using Kind = EventDescription::Kind;
   switch (event.kind)
   {
   case Kind::breakdown:
@@ -44,8 +43,8 @@ Watches::Watches(StructureSystem& system, Probes& probes,
   for (std::size_t i = 0; i < events_.size(); ++i)
   {
     watches_.push_back(make_watch(system, probes, networks, events_[i]));
-    if (events_[i].kind != Kind::probe_above &&
-        events_[i].kind != Kind::probe_below)
+    if (events_[i].kind != EventDescription::Kind::probe_above &&
+        events_[i].kind != EventDescription::Kind::probe_below)
       curves_.push_back(i);
   }
 }

@@ -6,15 +6,12 @@
 #include <cmath>
 #include <numeric>
 
-#include "watches_names.h"
+#include "entry_names.h"
 
 namespace taut::structure
 {
 namespace
 {
-using Kind = EventDescription::Kind;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Across which tension is lost.
 Direction get_lost_direction(const PointFields& point)
 {
@@ -34,8 +31,12 @@ double compute_quantile(std::vector<std::pair<double, double>> values,
   std::vector<double> weight_until{0.};
   for (const auto& [value, weight] : values)
     weight_until.push_back(weight_until.back() + weight);
-  double low = min(values.empty() ? infinity : values.front().first, comm);
-  double high = max(values.empty() ? -infinity : values.back().first, comm);
+  double low = min(values.empty() ? std::numeric_limits<double>::infinity()
+                                  : values.front().first,
+                   comm);
+  double high = max(values.empty() ? -std::numeric_limits<double>::infinity()
+                                   : values.back().first,
+                    comm);
   const double target = quantile * sum(weight_until.back(), comm);
   const auto weight_below = [&](const double x)
   {
@@ -135,7 +136,7 @@ EventReport FilmWatch::report(const double time, const double* state)
                       structure.device().films[films_[i]].name;
   const std::size_t worst = find_worst(margins);
   describe(worst, time, state, report);
-  std::array<double, 9> found{infinity};
+  std::array<double, 9> found{std::numeric_limits<double>::infinity()};
   if (worst < margins.size())
   {
     const unsigned int n = structure.cells().element().n_nodes;
@@ -172,7 +173,7 @@ std::vector<double> TensionWatch::compute_point_margins(const double time,
   std::vector<double> margins;
   for (std::size_t point = 0; point < critical.size(); ++point)
   {
-    const double stress = event_.kind == Kind::slackness
+    const double stress = event_.kind == EventDescription::Kind::slackness
                               ? critical[point].larger_stress
                               : critical[point].smaller_stress;
     margins.push_back((stress - event_.threshold) /
@@ -194,7 +195,7 @@ void TensionWatch::describe(const std::size_t point, const double time,
   report.value =
       report.margin * material::shear_modulus(get_film(point / n).material) +
       event_.threshold;
-  if (event_.kind != Kind::slackness)
+  if (event_.kind != EventDescription::Kind::slackness)
     report.direction = get_lost_direction(fields[point]);
 }
 

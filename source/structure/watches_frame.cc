@@ -2,7 +2,7 @@
 
 #include <taut/base/number_text.h>
 
-#include "watches_names.h"
+#include "entry_names.h"
 
 namespace taut::structure
 {

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "watches_names.h"
+#include "entry_names.h"
 
 namespace taut::structure
 {
 namespace
 {
 /// Half the diagonal of the box about all nodes (m).
-double compute_size(const Structure& structure)
+double compute_mesh_size(const Structure& structure)
 {
   double square = 0;
   for (unsigned int c = 0; c < 3; ++c)
@@ -61,7 +61,7 @@ SnapWatch::SnapWatch(StructureSystem& system, Probes& probes,
     : EventWatch(system, event), probes_(probes),
       probe_(find_name(event, "probe",
                        get_names(system.structure().device().probes))),
-      size_(compute_size(system.structure()))
+      size_(compute_mesh_size(system.structure()))
 {
   if (!(event.threshold > 0))
     refuse("the threshold of a snap-through is the speed of its probe, which "

@@ -3,7 +3,7 @@
 
 #include "io/refusal.h"
 
-namespace taut::io
+namespace taut::io::failure
 {
 namespace
 {
@@ -122,4 +122,4 @@ const Refusal events[] = {
      "there is no probe 'left'"}};
 INSTANTIATE_TEST_SUITE_P(Events, BadFailure, ::testing::ValuesIn(events));
 } // namespace
-} // namespace taut::io
+} // namespace taut::io::failure

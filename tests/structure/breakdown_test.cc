@@ -10,7 +10,7 @@
 
 #include "structure/viscous_films.h"
 
-namespace taut
+namespace taut::breakdown
 {
 namespace
 {
@@ -159,4 +159,4 @@ TEST(Breakdown, OfAFilmThatIsMissingIsRefused)
   }
 }
 } // namespace
-} // namespace taut
+} // namespace taut::breakdown

@@ -10,7 +10,7 @@
 #include "structure/frames.h"
 #include <boost/math/tools/roots.hpp>
 
-namespace taut::testing
+namespace taut::testing::contact
 {
 namespace
 {
@@ -242,4 +242,4 @@ TEST(SelfContact, NeighboursAreThoseWithinFourThicknesses)
   EXPECT_NEAR(get_closest(.2), 1 - .2, 1e-12);
 }
 } // namespace
-} // namespace taut::testing
+} // namespace taut::testing::contact

@@ -10,7 +10,7 @@
 #include "structure/pull_in.h"
 #include "structure/viscous_films.h"
 
-namespace taut
+namespace taut::pull_in
 {
 namespace
 {
@@ -222,4 +222,4 @@ TEST(PullIn, RefusesWhatHasNone)
   expect([](auto& device) { device.events[0].threshold = -.1; }, "from 0");
 }
 } // namespace
-} // namespace taut
+} // namespace taut::pull_in

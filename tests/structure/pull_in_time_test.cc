@@ -7,7 +7,7 @@
 #include "structure/pull_in.h"
 #include "structure/viscous_films.h"
 
-namespace taut
+namespace taut::pull_in_in_time
 {
 namespace
 {
@@ -177,4 +177,4 @@ TEST(PullIn, WithoutABarrierItIsTheLossOfStiffness)
   EXPECT_NEAR(swing.event_stretch, find_inflection(.6), 1e-5);
 }
 } // namespace
-} // namespace taut
+} // namespace taut::pull_in_in_time

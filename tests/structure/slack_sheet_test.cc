@@ -8,7 +8,7 @@
 
 #include "structure/viscous_films.h"
 
-namespace taut
+namespace taut::slack_sheet
 {
 namespace
 {
@@ -95,4 +95,4 @@ TEST(SlackSheet, ForceComesBackAndEveryEventHappensOnce)
   }
 }
 } // namespace
-} // namespace taut
+} // namespace taut::slack_sheet

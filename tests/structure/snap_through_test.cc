@@ -8,7 +8,7 @@
 
 #include "structure/frames.h"
 
-namespace taut::testing
+namespace taut::testing::snap
 {
 namespace
 {
@@ -184,4 +184,4 @@ TEST(SnapThrough, RefusesWhatCannotBeWatched)
   expect_contains(get_refusal(device, true), "there is no probe 'tip'");
 }
 } // namespace
-} // namespace taut::testing
+} // namespace taut::testing::snap
