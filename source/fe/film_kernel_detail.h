@@ -91,7 +91,8 @@ inline bool wrinkles(const BatchLaw& law, const Tensor& C, const Tensor* A,
                      const Tensor& S)
 {
   return law.wrinkle_stiffness > 0 &&
-         wrinkles(law, S, material::limit_margin(*law.elastomer, C, A, law.field));
+         wrinkles(law, S,
+                  material::limit_margin(*law.elastomer, C, A, law.field));
 }
 
 inline material::Wrinkles<Lanes> find_wrinkles(const BatchLaw& law,

@@ -49,7 +49,8 @@ LimitCheck compute_forces(const BatchGeometry& geometry, const BatchLaw& law,
     const auto F = make_deformation_gradient<n_nodes>(gradients, x);
     Tensor C = make_metric(F);
     Tensor S = material::stress(*law.elastomer, C, A, law.field);
-    const double margin = material::limit_margin(*law.elastomer, C, A, law.field);
+    const double margin =
+        material::limit_margin(*law.elastomer, C, A, law.field);
     if (wrinkles(law, S, margin))
       relax_point(law, A, q, C, S, check);
     else

@@ -272,7 +272,8 @@ TEST(BadCases, RelaxedNetworksDoNotFeelThePreStretch)
       edit(network, "    set Law = Gent\n    set Limit = 5\n");
   const CaseOnDisk disk(content);
   EXPECT_NO_THROW(read_case(disk.file()));
-  expect_refused(content, "is beyond the limit", {"Procedure/Start = unrelaxed"});
+  expect_refused(content, "is beyond the limit",
+                 {"Procedure/Start = unrelaxed"});
 }
 
 const char* const resonator = R"(set Model = resonator
