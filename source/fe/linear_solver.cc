@@ -71,18 +71,23 @@ int count_negative_of_symmetric_part(Mat matrix)
 LinearSolver::LinearSolver(Mat matrix, const Kind kind)
     : matrix_(matrix), kind_(kind)
 {
+  create();
+}
+
+void LinearSolver::create()
+{
   MPI_Comm comm;
-  TAUT_PETSC(PetscObjectGetComm(reinterpret_cast<PetscObject>(matrix), &comm));
+  TAUT_PETSC(PetscObjectGetComm(reinterpret_cast<PetscObject>(matrix_), &comm));
   TAUT_PETSC(KSPCreate(comm, &solver_));
   TAUT_PETSC(KSPSetType(solver_, KSPPREONLY));
   PC preconditioner = nullptr;
   TAUT_PETSC(KSPGetPC(solver_, &preconditioner));
   TAUT_PETSC(
-      PCSetType(preconditioner, kind == Kind::general ? PCLU : PCCHOLESKY));
+      PCSetType(preconditioner, kind_ == Kind::general ? PCLU : PCCHOLESKY));
   TAUT_PETSC(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS));
-  if (kind == Kind::symmetric_definite)
-    TAUT_PETSC(MatSetOption(matrix, MAT_SPD, PETSC_TRUE));
-  TAUT_PETSC(KSPSetOperators(solver_, matrix, matrix));
+  if (kind_ == Kind::symmetric_definite)
+    TAUT_PETSC(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
+  TAUT_PETSC(KSPSetOperators(solver_, matrix_, matrix_));
   TAUT_PETSC(PCFactorSetUpMatSolverType(preconditioner));
   Mat factor = nullptr;
   TAUT_PETSC(PCFactorGetMatrix(preconditioner, &factor));
@@ -103,9 +108,13 @@ void LinearSolver::factorise()
   PCFailedReason reason = PC_NOERROR;
   TAUT_PETSC(KSPGetPC(solver_, &preconditioner));
   TAUT_PETSC(PCGetFailedReason(preconditioner, &reason));
-  if (reason != PC_NOERROR)
-    throw StepRejected("the tangent matrix cannot be factorised: it is "
-                       "singular or holds values that are no numbers");
+  if (reason == PC_NOERROR)
+    return;
+  // PETSc's interface to MUMPS skips every factorisation after one that failed.
+  TAUT_PETSC(KSPDestroy(&solver_));
+  create();
+  throw StepRejected("the tangent matrix cannot be factorised: it is "
+                     "singular or holds values that are no numbers");
 }
 
 void LinearSolver::solve(const double* b, double* x)

@@ -37,6 +37,8 @@ public:
   int count_negative_eigenvalues();
 
 private:
+  void create();
+
   _p_Mat* matrix_;
   const Kind kind_;
   _p_KSP* solver_ = nullptr;
