@@ -269,9 +269,16 @@ void check_lumped_resonator(const CaseText& text,
                             invariant - 3, resonator.limit));
 }
 
-/// A key that this control of an electrode has no use for, or lacks.
+bool is_zero(const Signal& signal)
+{
+  return signal.is_constant() && signal.value(0) == 0;
+}
+
+/// Refuses a key that this control of an electrode lacks, or has no use for and
+/// that is not at its default.
 void check_key(const CaseText& text, const structure::Electrode& electrode,
-               const std::string& key, const bool is_used, const bool is_needed)
+               const std::string& key, const bool is_used, const bool is_needed,
+               const bool is_default)
 {
   const SectionPath section{"Electrode " + electrode.name};
   using Control = structure::Electrode::Control;
@@ -280,7 +287,7 @@ void check_key(const CaseText& text, const structure::Electrode& electrode,
                                   ? "charge"
                                   : "circuit";
   const bool is_given = text.find(section, key) != nullptr;
-  if (is_given && !is_used)
+  if (is_given && !is_used && !is_default)
     text.refuse(
         section, key,
         fmt::format("an electrode with Control = {} has no {}", control, key));
@@ -297,10 +304,14 @@ void check_electrode(const CaseText& text,
   using Control = structure::Electrode::Control;
   const bool charge = electrode.control == Control::charge;
   const bool circuit = electrode.control == Control::circuit;
-  check_key(text, electrode, "Voltage", !charge, !charge);
-  check_key(text, electrode, "Charge", charge, charge);
-  check_key(text, electrode, "Series resistance", circuit, circuit);
-  check_key(text, electrode, "Leakage resistance", circuit, false);
+  check_key(text, electrode, "Voltage", !charge, !charge,
+            is_zero(electrode.voltage));
+  check_key(text, electrode, "Charge", charge, charge,
+            is_zero(electrode.charge));
+  check_key(text, electrode, "Series resistance", circuit, circuit,
+            electrode.series_resistance == 0);
+  check_key(text, electrode, "Leakage resistance", circuit, false,
+            std::isinf(electrode.leakage_resistance));
   if (circuit && !(electrode.series_resistance > 0))
     text.refuse({"Electrode " + electrode.name}, "Series resistance",
                 "without resistance the source holds the voltage: take "

@@ -129,7 +129,7 @@ double Oscillators::compute_energy(const double* state) const
 taut::time::StateLayout Oscillators::layout() const
 {
   const std::size_t n = members_.size();
-  return {n, is_inertial() ? n : 0, n, rank_ == 0 ? std::size_t(1) : 0};
+  return {n, is_inertial() ? n : 0, n, 0, rank_ == 0 ? std::size_t(1) : 0};
 }
 
 void Oscillators::evaluate(const double time, const double* state, double* f)
