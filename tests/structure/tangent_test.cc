@@ -287,7 +287,7 @@ TEST_P(CondensedTangent, solve_inverts_the_system)
   structure::QuasiStaticSystem system(structure, {});
   auto y = system.make_initial_state(0, structure::Start::unrelaxed, false, {});
   const std::size_t size = y.size();
-  const auto shake = make_noise(structure.n_free(), 2e-4, 8);
+  const auto shake = make_noise(structure.n_free(), 2e-4, 9);
   for (std::size_t i = 0; i < shake.size(); ++i)
     y[i] += shake[i];
   constexpr double alpha = 30;
