@@ -76,7 +76,9 @@ TEST_P(FreeRun, KeepsItsEnergy)
   EXPECT_GT(highest, .5);
   // One of the points at least, of 9 a cell in 4 x 4 cells.
   if (GetParam() >= 4)
+  {
     EXPECT_GT(most_slack, 0);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(pre_stretches, FreeRun, ::testing::Values(3, 4, 5));
