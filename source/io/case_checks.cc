@@ -109,6 +109,24 @@ void check_continuation(const CaseText& text,
                 "the direction has no length");
 }
 
+/// The climate of a film stays where its breakdown strength is known.
+void check_strength(const CaseText& text, const Film& film,
+                    const study::ProcedureDescription& procedure)
+{
+  const std::string name = "the Breakdown law of its material";
+  for (const auto& factor : film.material.dielectric.breakdown.factors)
+  {
+    if (const auto* by_temperature =
+            std::get_if<material::TemperatureStrength>(&factor))
+      check_temperature(text, {"Film " + film.name}, film.temperature,
+                        by_temperature->law, name, procedure);
+    if (const auto* by_humidity =
+            std::get_if<material::HumidityStrength>(&factor))
+      check_humidity(text, {"Film " + film.name}, film.humidity,
+                     by_humidity->law, name, procedure);
+  }
+}
+
 void check_film(const CaseText& text, const Film& film,
                 const study::ProcedureDescription& procedure)
 {
@@ -128,12 +146,7 @@ void check_film(const CaseText& text, const Film& film,
     check_humidity(text, {"Film " + film.name}, film.humidity, law,
                    "the law of the " + std::string(name) + " of its material",
                    procedure);
-  for (const auto& factor : film.material.dielectric.breakdown.factors)
-    if (const auto* by_temperature =
-            std::get_if<material::TemperatureStrength>(&factor))
-      check_temperature(text, {"Film " + film.name}, film.temperature,
-                        by_temperature->law,
-                        "the Breakdown law of its material", procedure);
+  check_strength(text, film, procedure);
   const auto& axis = film.axis;
   if (std::hypot(axis[0], axis[1], axis[2]) == 0)
     text.refuse({"Film " + film.name}, "Axis", "the direction has no length");

@@ -10,6 +10,7 @@ namespace taut::io
 {
 namespace
 {
+using material::HumidityStrength;
 using material::RateStrength;
 using material::StrengthFactor;
 using material::StretchStrength;
@@ -20,7 +21,8 @@ using material::ValidRange;
 const char* const allowed_factors =
     "constant, or factors joined by '*': stretch(r; lowest, highest), "
     "thickness(h0, n; lowest, highest), rate(R0, m; lowest, highest), "
-    "temperature(a law of temperature); stretch is the root of the area "
+    "temperature(a law of temperature), humidity(a law of humidity); stretch "
+    "is the root of the area "
     "stretch, h0 in m, R0 in V/(m s)";
 
 [[noreturn]] void refuse_strength(const std::string& text,
@@ -94,6 +96,11 @@ StrengthFactor read_temperature(const std::string& inner, const std::string&)
   return TemperatureStrength{temperature_law().read(inner)};
 }
 
+StrengthFactor read_humidity(const std::string& inner, const std::string&)
+{
+  return HumidityStrength{humidity_law().read(inner)};
+}
+
 StrengthFactor read_factor(const std::string& part, const std::string& text)
 {
   using Read = StrengthFactor (*)(const std::string&, const std::string&);
@@ -101,7 +108,8 @@ StrengthFactor read_factor(const std::string& part, const std::string& text)
       {"stretch", read_stretch},
       {"thickness", read_thickness},
       {"rate", read_rate},
-      {"temperature", read_temperature}};
+      {"temperature", read_temperature},
+      {"humidity", read_humidity}};
   const std::size_t open = part.find('(');
   const std::string name = boost::trim_copy(part.substr(0, open));
   std::vector<std::string> known;
@@ -158,6 +166,11 @@ std::string write_factor(const RateStrength& law)
 std::string write_factor(const TemperatureStrength& law)
 {
   return fmt::format("temperature({})", temperature_law().write(law.law));
+}
+
+std::string write_factor(const HumidityStrength& law)
+{
+  return fmt::format("humidity({})", humidity_law().write(law.law));
 }
 
 std::string write_factors(const std::vector<StrengthFactor>& factors)

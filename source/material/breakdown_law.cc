@@ -40,6 +40,11 @@ double compute_factor(const TemperatureStrength& law,
   return compute_factor(law.law, state.temperature);
 }
 
+double compute_factor(const HumidityStrength& law, const BreakdownState& state)
+{
+  return compute_factor(law.law, state.humidity);
+}
+
 double compute_factor(const RateStrength& law, const BreakdownState& state)
 {
   const double rate = std::min(std::max(state.field_rate, law.bounds.lowest),

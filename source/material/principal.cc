@@ -70,7 +70,8 @@ double compute_strength(const Dielectric& dielectric,
   const double area_stretch = std::sqrt(compute_determinant(C));
   return compute_strength(dielectric.breakdown,
                           {area_stretch, exposure.thickness / area_stretch,
-                           exposure.temperature, exposure.field_rate});
+                           exposure.temperature, exposure.field_rate,
+                           exposure.humidity});
 }
 
 double compute_breakdown_margin(const Dielectric& dielectric,

@@ -172,8 +172,9 @@ void validate(const ThicknessStrength& law)
   validate(law.range, "thickness (m)");
 }
 
-/// Its numbers were checked when it was read.
+/// Their numbers were checked when they were read.
 void validate(const TemperatureStrength&) {}
+void validate(const HumidityStrength&) {}
 
 void validate(const RateStrength& law)
 {

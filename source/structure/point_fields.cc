@@ -26,6 +26,7 @@ struct Point
   /// Of its networks.
   const std::vector<Metric>& internal;
   double field_rate; ///< |d(V/H)/dt| (V/(m s))
+  double humidity;   ///< of the air, 0 to 1
 };
 
 /// F = sum_a x_a (x) G_a.
@@ -73,7 +74,7 @@ double get_nominal_field(const Point& point)
 material::Exposure get_exposure(const Point& point)
 {
   return {get_nominal_field(point), point.field_rate, point.film.thickness,
-          point.law.field.temperature};
+          point.law.field.temperature, point.humidity};
 }
 
 bool has_tension_field(const Point& point)
@@ -196,7 +197,7 @@ void for_each_point(const Structure& structure, const LoadState& loads,
         const unsigned int cell = batch.cells[lane];
         read_internal(cells, internal, cell, q, A);
         function(Point{cell * n + q, b, lane, q, laws[batch.slot], film, A,
-                       field_rate});
+                       field_rate, loads.film_humidities[slot.film]});
       }
   }
 }

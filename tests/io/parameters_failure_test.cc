@@ -45,7 +45,8 @@ TEST(FailureCase, BreakdownFollowsItsLaw)
       strength_factors();
   for (const std::string text :
        {"constant", "stretch(0.63; 1, 6) * thickness(0.001, 0.25; 0, 0.01)",
-        "rate(1e+06, 0.1; 1, 1e+09)", "temperature(arrhenius(300, 5000))"})
+        "rate(1e+06, 0.1; 1, 1e+09)", "temperature(arrhenius(300, 5000))",
+        "humidity(exponential(0.2, -0.5))"})
     EXPECT_EQ(format.write(format.read(text)), text);
 }
 

@@ -11,7 +11,7 @@ using namespace taut::material;
 namespace
 {
 /// lambda = 3, h = 50 um, 310 K, 1e6 V/(m s).
-const BreakdownState state{9., 50e-6, 310., 1e6};
+const BreakdownState state{9., 50e-6, 310., 1e6, .6};
 
 double compute(const StrengthFactor& factor, const BreakdownState& at = state)
 {
@@ -35,7 +35,7 @@ std::string get_refusal(const StrengthFactor& factor, const BreakdownState& at)
 TEST(BreakdownLaw, ConstantStrengthKnowsNoState)
 {
   EXPECT_EQ(compute_strength({4e7}, state), 4e7);
-  EXPECT_EQ(compute_strength({4e7}, {-1., -1., -1., -1.}), 4e7);
+  EXPECT_EQ(compute_strength({4e7}, {-1., -1., -1., -1., -1.}), 4e7);
 }
 
 TEST(BreakdownLaw, FactorsAreThoseOfTheirFormulas)
@@ -50,6 +50,8 @@ TEST(BreakdownLaw, FactorsAreThoseOfTheirFormulas)
   EXPECT_DOUBLE_EQ(
       compute(TemperatureStrength{ArrheniusLaw{300., 5e3}}),
       4e7 * std::exp(5e3 / 8.31446261815324 * (1 / 310. - 1 / 300.)));
+  EXPECT_DOUBLE_EQ(compute(HumidityStrength{ExponentialLaw{.2, -.5}}),
+                   4e7 * std::exp(-.2));
   EXPECT_DOUBLE_EQ(compute(RateStrength{1e4, .1, {1., 1e9}}),
                    4e7 * std::pow(100., .1));
 }
@@ -67,7 +69,7 @@ TEST(BreakdownLaw, RatesAreKeptWithinTheirBounds)
 {
   const RateStrength law{1e4, .1, {1e2, 1e5}};
   const auto at_rate = [&](const double rate) {
-    return compute(law, {9., 50e-6, 310., rate});
+    return compute(law, {9., 50e-6, 310., rate, .6});
   };
   EXPECT_DOUBLE_EQ(at_rate(0.), 4e7 * std::pow(1e-2, .1));
   EXPECT_DOUBLE_EQ(at_rate(1e9), 4e7 * std::pow(1e1, .1));
@@ -87,6 +89,8 @@ TEST(BreakdownLaw, OutOfRangeNamesValueAndRange)
          {"thickness", "5e-05", "from 0.0001 to 0.001"});
   expect(TemperatureStrength{PolynomialLaw{300., {-.01}, 273., 305.}}, state,
          {"310 K", "from 273 to 305 K"});
+  expect(HumidityStrength{PolynomialLaw{.2, {-.5}, 0., .5}}, state,
+         {"0.6", "from 0 to 0.5"});
 }
 
 TEST(BreakdownLaw, MarginSeesTheFilmAsItIs)
@@ -99,8 +103,9 @@ TEST(BreakdownLaw, MarginSeesTheFilmAsItIs)
        {StretchStrength{1., {1., 6.}}, ThicknessStrength{1e-4, .5, {0., 1e-3}},
         RateStrength{1e6, .5, {1., 1e9}}}}};
   const double strength = 4e7 * std::sqrt(3.) * std::sqrt(3.) * 2.;
-  EXPECT_NEAR(compute_breakdown_margin(dielectric, C, {1e7, 4e6, 1e-4, 299.}),
-              1 - 3e7 / strength, 1e-14);
+  EXPECT_NEAR(
+      compute_breakdown_margin(dielectric, C, {1e7, 4e6, 1e-4, 299., 0.}),
+      1 - 3e7 / strength, 1e-14);
 }
 
 TEST(BreakdownLaw, BareFilmIsNotAsked)
@@ -108,8 +113,10 @@ TEST(BreakdownLaw, BareFilmIsNotAsked)
   const SymmetricTensor2<double> C = {81., 81., 0.};
   const Dielectric dielectric{ConstantPermittivity{4.},
                               {4e7, {StretchStrength{1., {1., 6.}}}}};
-  EXPECT_EQ(compute_breakdown_margin(dielectric, C, {0., 0., 1e-4, 299.}), 1.);
-  EXPECT_THROW(compute_breakdown_margin(dielectric, C, {1., 0., 1e-4, 299.}),
-               StepRejected);
+  EXPECT_EQ(compute_breakdown_margin(dielectric, C, {0., 0., 1e-4, 299., 0.}),
+            1.);
+  EXPECT_THROW(
+      compute_breakdown_margin(dielectric, C, {1., 0., 1e-4, 299., 0.}),
+      StepRejected);
 }
 } // namespace

@@ -77,7 +77,7 @@ TEST(Principal, TrueFieldAndBreakdownMargin)
 {
   const Tensor C = make_turned(2., 1.5, .4);
   EXPECT_NEAR(compute_true_field(C, -1e7), 3e7, 1e-7);
-  const Exposure exposure{1e7, 0., 1e-4, 299.};
+  const Exposure exposure{1e7, 0., 1e-4, 299., 0.};
   EXPECT_NEAR(
       compute_breakdown_margin({ConstantPermittivity{4.}, {4e7}}, C, exposure),
       .25, 1e-14);

@@ -106,6 +106,15 @@ TEST(Breakdown, ComesEarlierAsTheFilmWarms)
   EXPECT_NEAR(run.time, time, 1e-10 * time);
 }
 
+TEST(Breakdown, ComesEarlierInHumidAir)
+{
+  const double time = strength / (rate * stretch * stretch) * std::exp(-.3);
+  auto device = make_device(
+      {material::HumidityStrength{material::ExponentialLaw{.2, -.5}}});
+  device.films[0].humidity = Signal::constant(.8);
+  EXPECT_NEAR(Course(device).time, time, 1e-10 * time);
+}
+
 TEST(Breakdown, OutOfTheRangeOfItsLawSaysWhere)
 {
   testing::Model model(make_device({material::StretchStrength{.63, {1, 1.5}}}),

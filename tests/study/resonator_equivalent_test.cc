@@ -116,7 +116,7 @@ const std::vector<Refusal> refusals = {
     {"NoSection", [](Case& c) { c.comparison.reset(); }, "'Comparison'"},
     {"Equilibrium",
      [](Case& c) { c.procedure.analysis = structure::Analysis::equilibrium; },
-     "'equilibrium'"},
+     "no static analysis"},
     {"UnknownFilm", [](Case& c) { c.comparison->active_film = "lefd"; },
      "Film left"},
     {"OneFilmTwice", [](Case& c) { c.comparison->passive_film = "left"; },

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <taut/material/humidity_law.h>
 #include <taut/material/temperature_law.h>
 
 #include <limits>
@@ -41,6 +42,12 @@ struct TemperatureStrength
   TemperatureLaw law;
 };
 
+/// The factor of a law of humidity.
+struct HumidityStrength
+{
+  HumidityLaw law;
+};
+
 /// (R/R_0)^m with the rate R of the nominal field V/H, kept within `bounds`: a
 /// voltage that is held counts as one that rises at the lowest rate. Breakdown
 /// voltages that grow with their rate: Huang et al., Appl. Phys. Lett. 100,
@@ -52,8 +59,9 @@ struct RateStrength
   ValidRange bounds; ///< of R (V/(m s)); lowest above 0
 };
 
-using StrengthFactor = std::variant<StretchStrength, ThicknessStrength,
-                                    TemperatureStrength, RateStrength>;
+using StrengthFactor =
+    std::variant<StretchStrength, ThicknessStrength, TemperatureStrength,
+                 HumidityStrength, RateStrength>;
 
 struct BreakdownLaw
 {
@@ -70,6 +78,7 @@ struct BreakdownState
   double thickness;    ///< current, H/J (m)
   double temperature;  ///< (K)
   double field_rate;   ///< |d(V/H)/dt| (V/(m s))
+  double humidity;     ///< relative, 0 to 1
 };
 
 /// E_B in V/m. Errors: StepRejected outside the range of a law, with the value

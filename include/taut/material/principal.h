@@ -35,6 +35,7 @@ struct Exposure
   double field_rate;    ///< |d(V/H)/dt| (V/(m s))
   double thickness;     ///< undeformed, H (m)
   double temperature;   ///< (K)
+  double humidity;      ///< relative, 0 to 1
 };
 
 /// E_B in V/m at a point. Errors: StepRejected, see breakdown_law.h.
