@@ -20,8 +20,8 @@ void relax_point(const BatchLaw& law, const Tensor* A, const unsigned int point,
                  Tensor& C, Tensor& S, LimitCheck& check)
 {
   const auto state = find_wrinkles(law, C, A, S);
+  S = material::compute_wrinkled_stress(state, C, S);
   C = state.metric;
-  S = material::stress(*law.elastomer, C, A, law.field);
   const Lanes margin = material::limit_margin(*law.elastomer, C, A, law.field);
   const bool wrinkles_grow = largest(-margin) < 0 && any(!state.admissible);
   update_limit(wrinkles_grow ? select(state.admissible, margin, Lanes(-1.))

@@ -62,6 +62,13 @@ class PathCases(unittest.TestCase):
         self.assertEqual(rows[0]["time"], -1.5)
         self.assertAlmostEqual(rows[-1]["deflection"], rows[0]["deflection"],
                                delta=1e-6)
+        script = Path(SOURCE) / "postprocess" / "plot_path.py"
+        python = shutil.which("python3", path="/usr/bin") or sys.executable
+        subprocess.run([python, "-B", script, self.folder], check=True)
+        plot = (self.folder / "path.svg").read_text(encoding="utf-8")
+        for word in ("stable", "unstable", "jump", "limit point",
+                     "landing after a jump", "Deflection (m)"):
+            self.assertIn(f">{word}<", plot)
 
     def test_a_gent_film_snaps_through_and_back(self):
         events, rows = self.run_case("film/gent_snap.prm")

@@ -79,6 +79,16 @@ TEST(TensionField, TautFilmIsUntouched)
   expect_near(point.get_stiffness(C), D, 0.);
 }
 
+TEST(TensionField, StressIsThatOfTheWrinkledMetric)
+{
+  // The search ends with a step below 1e-6; both are right to its square, of
+  // moduli of 1e5.
+  for (const Point& point : {make_viscous(), make_viscous(2e6)})
+    for (const auto& [kind, C] : some_states)
+      expect_near(point.get_stress(C),
+                  point.get_flat_stress(point.find(C).metric), 1e-6);
+}
+
 TEST(TensionField, StressIsTheDerivativeOfTheEnergy)
 {
   for (const Point& point : {make_viscous(), make_viscous(2e6)})

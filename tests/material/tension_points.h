@@ -30,7 +30,7 @@ struct Point
   }
   Tensor get_stress(const Tensor& C) const
   {
-    return get_flat_stress(find(C).metric);
+    return compute_wrinkled_stress(find(C), C, get_flat_stress(C));
   }
   double get_energy(const Tensor& C) const
   {

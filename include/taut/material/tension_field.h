@@ -32,9 +32,9 @@ find_wrinkles(const Elastomer& elastomer, const SymmetricTensor2<Number>& C,
               const SymmetricTensor2<Number>& S, const double stiffness)
 {
   WrinkleSearch<Number> search(elastomer, C, A, field, stiffness);
-  const Mask<Number> taut =
-      is_taut(S, stiffness) & is_within_limits(elastomer, C, A, field);
-  Wrinkles<Number> wrinkles = search.find_one_direction(S, !taut);
+  const Mask<Number> within = is_within_limits(elastomer, C, A, field);
+  const Mask<Number> taut = is_taut(S, stiffness) & within;
+  Wrinkles<Number> wrinkles = search.find_one_direction(S, !taut, within);
   // Both directions where tension is lost along the wrinkles as well, or
   // wrinkles across one direction alone have no end.
   const Mask<Number> slackens =
@@ -57,6 +57,28 @@ compute_wrinkle_strain(const Wrinkles<Number>& wrinkles,
                        const SymmetricTensor2<Number>& C)
 {
   return add_scaled(wrinkles.metric, Number(-1.), C);
+}
+
+/// S* of the film with its wrinkles in Pa, S that without them. The conditions
+/// on wrinkles leave only the tension along them: T = S* + 2 delta G (1 + E) is
+/// tension (C^-1 u) (C^-1 u)^T with u along them, or 0 where the film is slack.
+template <class Number>
+SymmetricTensor2<Number>
+compute_wrinkled_stress(const Wrinkles<Number>& wrinkles,
+                        const SymmetricTensor2<Number>& C,
+                        const SymmetricTensor2<Number>& S)
+{
+  const Line<Number>& u = wrinkles.directions.along;
+  const SymmetricTensor2<Number> inverse = compute_inverse(C);
+  const Number x = inverse.xx * u.x + inverse.xy * u.y;
+  const Number y = inverse.xy * u.x + inverse.yy * u.y;
+  const Number pull = select(wrinkles.slack, Number(0.), wrinkles.tension);
+  const SymmetricTensor2<Number> T = {pull * x * x, pull * y * y, pull * x * y};
+  const SymmetricTensor2<Number> cost = compute_wrinkle_tension(
+      wrinkles.metric, C, {Number(0.), Number(0.), Number(0.)},
+      wrinkles.stiffness);
+  return choose(wrinkles.wrinkled | wrinkles.slack,
+                add_scaled(T, Number(-1.), cost), S);
 }
 
 /// delta G (tr E + E : E/2) in J/m^3, the energy that W_r has beside W(C*).

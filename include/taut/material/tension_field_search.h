@@ -86,9 +86,11 @@ public:
                 InternalVariables<Number> internal, const Field& field,
                 double stiffness);
 
-  /// Wrinkles in one direction where `wanted`, S the stress of C.
+  /// Wrinkles in one direction where `wanted`, S the stress of C; `within`:
+  /// whether the film without wrinkles is within its limits.
   Wrinkles<Number> find_one_direction(const SymmetricTensor2<Number>& S,
-                                      const Mask<Number>& wanted);
+                                      const Mask<Number>& wanted,
+                                      const Mask<Number>& within);
 
   /// Replaces the wrinkles where `wanted` by those in both directions.
   void find_both_directions(const Mask<Number>& wanted,
@@ -110,9 +112,9 @@ private:
   static constexpr double largest_share = 1e-2;
 
   Tensor make_metric(const Trial& trial) const;
-  Trial make_first_trial(const Tensor& S) const;
+  Trial make_first_trial(const Tensor& S, const Mask<Number>& within) const;
   Trial make_step(const Trial& trial, const WrinkleEquations<Number>& equations,
-                  Mask<Number>& converged) const;
+                  Mask<Number>& converged, Number& tension) const;
   Tensor make_natural_metric() const;
   Tensor make_step(const Tensor& metric, Mask<Number>& converged) const;
   Mask<Number> is_bounded(const Tensor& metric) const;
@@ -172,11 +174,11 @@ auto WrinkleSearch<Number>::retreat(const Trial& trial, const Trial& to)
 /// With y = 1/(1 + a)^2 the tension of the twin across its wrinkles is
 /// pull - field det C - y push/det C, plus 2 delta G v . (1 + a v v^T) v.
 template <class Number>
-auto WrinkleSearch<Number>::make_first_trial(const Tensor& S) const -> Trial
+auto WrinkleSearch<Number>::make_first_trial(const Tensor& S,
+                                             const Mask<Number>& within) const
+    -> Trial
 {
   using std::sqrt;
-  const Mask<Number> within =
-      is_within_limits(elastomer_, C_, internal_, field_);
   const auto directions = find_directions(C_, choose(within, S, twin_.pull));
   const Number det = compute_determinant(C_);
   const Number pull =
@@ -200,11 +202,13 @@ void WrinkleSearch<Number>::evaluate(const Tensor& metric, Tensor& T,
 }
 
 /// The amplitude moves in y, in which the tension of a neo-Hookean film is
-/// linear, and the angle by a limited amount, downhill.
+/// linear, and the angle by a limited amount, downhill. `tension` becomes that
+/// after the step, up to the square of the step.
 template <class Number>
 auto WrinkleSearch<Number>::make_step(const Trial& trial,
                                       const WrinkleEquations<Number>& equations,
-                                      Mask<Number>& converged) const -> Trial
+                                      Mask<Number>& converged,
+                                      Number& tension) const -> Trial
 {
   using std::sqrt;
   const Number width = 1. + trial.amplitude;
@@ -219,6 +223,8 @@ auto WrinkleSearch<Number>::make_step(const Trial& trial,
       (coupling * equations.mixed - equations.across) / by_amplitude;
   const Number angle =
       -(equations.mixed + equations.mixed_amplitude * amplitude) / by_angle;
+  tension = equations.along + equations.along_amplitude * amplitude +
+            equations.along_angle * angle;
   const Number relative = amplitude / width;
   const Number moved = relative * relative + angle * angle;
   converged = is_less(moved, Number(tolerance * tolerance));
@@ -246,12 +252,12 @@ Mask<Number> WrinkleSearch<Number>::is_bounded(const Tensor& metric) const
 template <class Number>
 Wrinkles<Number>
 WrinkleSearch<Number>::find_one_direction(const Tensor& S,
-                                          const Mask<Number>& wanted)
+                                          const Mask<Number>& wanted,
+                                          const Mask<Number>& flat_within)
 {
-  Trial trial = make_first_trial(S);
+  Trial trial = make_first_trial(S, flat_within);
   const Trial flat = {trial.directions, Number(0.)};
-  Trial fine = choose_trial(is_within_limits(elastomer_, C_, internal_, field_),
-                            flat, trial);
+  Trial fine = choose_trial(flat_within, flat, trial);
   Mask<Number> active = wanted;
   Wrinkles<Number> wrinkles;
   wrinkles.tension = Number(0.);
@@ -266,9 +272,10 @@ WrinkleSearch<Number>::find_one_direction(const Tensor& S,
     const WrinkleEquations<Number> equations(trial.directions, trial.amplitude,
                                              T, D, stiffness_);
     Mask<Number> converged;
-    const Trial next = make_step(trial, equations, converged);
+    Number tension;
+    const Trial next = make_step(trial, equations, converged, tension);
     const Mask<Number> advances = active & within;
-    wrinkles.tension = select(advances, equations.along, wrinkles.tension);
+    wrinkles.tension = select(advances, tension, wrinkles.tension);
     if (any(active & (!within)))
       trial = choose_trial(within, trial, retreat(trial, fine));
     fine = choose_trial(advances, trial, fine);

@@ -58,7 +58,8 @@ struct Wrinkles
   /// Of wrinkles in one direction: E = amplitude across across^T.
   Number amplitude;
   WrinkleDirections<Number> directions;
-  /// Along the wrinkles, principal true stress times J (Pa).
+  /// Along the wrinkles, principal true stress times J and what they cost
+  /// (Pa).
   Number tension;
   Mask<Number> wrinkled; ///< in one direction
   Mask<Number> slack;    ///< wrinkled in both
@@ -158,8 +159,9 @@ struct WrinkleEquations
 
   Number across, mixed; ///< w_1 . T w_1 and w_2 . T w_1
   Number along;         ///< w_2 . T w_2
-  /// Derivatives of the two by amplitude and angle.
+  /// Derivatives of the three by amplitude and angle.
   Number across_amplitude, across_angle, mixed_amplitude, mixed_angle;
+  Number along_amplitude, along_angle;
 
 private:
   /// What takes (S_xx, S_yy, S_xy) to the two conditions.
@@ -186,6 +188,7 @@ WrinkleEquations<Number>::WrinkleEquations(
   { return a.xx * b.xx + a.yy * b.yy + a.xy * b.xy; };
   row_across_ = row(v, v);
   row_mixed_ = row(u, v);
+  const auto row_along = row(u, u);
   // The half of v v^T in engineering components is (v_x^2/2, v_y^2/2, v_x v_y).
   const auto by_amplitude = multiply(D, row_across_);
   const auto by_angle = multiply(D, row_mixed_);
@@ -203,6 +206,11 @@ WrinkleEquations<Number>::WrinkleEquations(
   mixed_angle = amplitude * (product(row_mixed_, by_angle) +
                              stiffness * (vv * uu + uv * uv)) +
                 along - across;
+  along_amplitude =
+      0.5 * product(row_along, by_amplitude) + stiffness * uv * uv;
+  along_angle =
+      amplitude * (product(row_along, by_angle) + 2. * stiffness * uv * uu) -
+      2. * mixed;
 }
 
 template <class Number>
