@@ -194,6 +194,26 @@ void check_rest_shape(const CaseText& text, const study::Case& content)
     text.refuse({"Procedure", "Rest shape"}, "Direction",
                 "the direction has no length");
 }
+
+struct ClimateWords
+{
+  const char *key, *name, *unit;
+};
+
+/// Refuses values that a law does not know.
+void check_reached(const CaseText& text, const SectionPath& section,
+                   const ClimateWords& words, const std::vector<double>& values,
+                   const material::LawRange& range, const std::string& law_name)
+{
+  for (const double value : values)
+    if (value < range.lowest || value > range.highest)
+      text.refuse(section, words.key,
+                  fmt::format("{} reaches {:.6g}{}, but {} holds from {:.6g}{} "
+                              "to {:.6g}{}",
+                              words.name, value, words.unit, law_name,
+                              range.lowest, words.unit, range.highest,
+                              words.unit));
+}
 } // namespace
 
 void check_temperature(const CaseText& text, const SectionPath& section,
@@ -202,13 +222,9 @@ void check_temperature(const CaseText& text, const SectionPath& section,
                        const std::string& law_name,
                        const study::ProcedureDescription& procedure)
 {
-  const material::LawRange range = material::get_range(law);
-  for (const double value : sample(temperature, procedure))
-    if (value < range.lowest || value > range.highest)
-      text.refuse(section, "Temperature",
-                  fmt::format("the temperature reaches {:.6g} K, but {} holds "
-                              "from {:.6g} K to {:.6g} K",
-                              value, law_name, range.lowest, range.highest));
+  check_reached(text, section, {"Temperature", "the temperature", " K"},
+                sample(temperature, procedure), material::get_range(law),
+                law_name);
 }
 
 void check_humidity(const CaseText& text, const SectionPath& section,
@@ -216,13 +232,9 @@ void check_humidity(const CaseText& text, const SectionPath& section,
                     const std::string& law_name,
                     const study::ProcedureDescription& procedure)
 {
-  const material::LawRange range = material::get_range(law);
-  for (const double value : sample(humidity, procedure))
-    if (value < range.lowest || value > range.highest)
-      text.refuse(section, "Humidity",
-                  fmt::format("the relative humidity reaches {:.6g}, but {} "
-                              "holds from {:.6g} to {:.6g}",
-                              value, law_name, range.lowest, range.highest));
+  check_reached(text, section, {"Humidity", "the relative humidity", ""},
+                sample(humidity, procedure), material::get_range(law),
+                law_name);
 }
 
 void resolve_frames(CaseDraft& draft)

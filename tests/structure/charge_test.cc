@@ -33,19 +33,6 @@ structure::Device make_square(const material::Spring& spring)
   return device;
 }
 
-/// Two by two distorted cells.
-fe::MeshData make_mesh()
-{
-  return testing::make_grid(
-      2, 2, 2,
-      [](const double xi, const double eta)
-      {
-        const double bubble = 16 * xi * (1 - xi) * eta * (1 - eta);
-        return fe::Coordinates{xi + .06 * bubble * std::sin(5 * eta),
-                               eta - .06 * bubble * std::cos(5 * xi), 0.};
-      });
-}
-
 /// The voltage of the dimensionless field 1.
 double get_unit(const structure::Device& device)
 {
@@ -84,7 +71,7 @@ TEST(Charge, FollowsTheGentCurveThroughItsUnstablePart)
   for (const double l : stretches)
     charges.push_back(compute_charge(device, compute_field(l), l, l));
   device.electrodes[0].charge = Signal::table(stretches, charges);
-  testing::Model model(device, make_mesh());
+  testing::Model model(device, testing::make_sheet_mesh());
   auto& structure = *model.structure;
   structure::LoadHistory history(device);
   structure::Equilibrium problem(structure, history, Networks::relaxed,
@@ -123,7 +110,7 @@ int count_unstable(const double l, const Control control)
   device.electrodes[0].voltage = Signal::constant(field * get_unit(device));
   device.electrodes[0].charge =
       Signal::constant(compute_charge(device, field, l, l));
-  testing::Model model(device, make_mesh());
+  testing::Model model(device, testing::make_sheet_mesh());
   testing::Statics statics(*model.structure);
   stretch(*model.structure, l, statics.u);
   return statics.count_negative_eigenvalues();
@@ -161,7 +148,7 @@ TEST(Charge, DeadLoadedFilmIsStableBeyondPullIn)
   }
   const auto compute_dead_loaded_field = [](const double l)
   { return std::sqrt(std::pow(l, -2) - std::pow(l, -8) - std::pow(l, -3)); };
-  testing::Model model(device, make_mesh());
+  testing::Model model(device, testing::make_sheet_mesh());
   testing::Statics statics(*model.structure);
   for (const double l : {1.7, 1.76, 1.8})
   {
@@ -247,7 +234,7 @@ TEST(Charge, ForceOfAHeldStripIsThatOfTheLumpedModel)
       testing::make_support("east", {{true, false, false}}, {{"1", "0", "0"}}));
   device.supports.push_back(
       testing::make_support("north", {{false, true, false}}));
-  testing::Model model(device, make_mesh());
+  testing::Model model(device, testing::make_sheet_mesh());
   testing::Statics statics(*model.structure);
   for (const double D : {.4, -.9})
   {
@@ -282,7 +269,7 @@ structure::Device make_wrinkled()
 
 TEST(Charge, VoltageOfAWrinkledFilmIsTheSlopeOfItsEnergy)
 {
-  testing::Model model(make_wrinkled(), make_mesh());
+  testing::Model model(make_wrinkled(), testing::make_sheet_mesh());
   testing::Statics statics(*model.structure);
   // A third of the charge at which the wrinkles run away.
   const double charge = 6e-6, step = 1e-3 * charge;
@@ -308,7 +295,7 @@ TEST(Charge, ThatNoVoltageGivesIsRefused)
 {
   auto device = make_wrinkled();
   device.electrodes[0].charge = Signal::ramp(1e-3, 0, 1);
-  testing::Model model(device, make_mesh());
+  testing::Model model(device, testing::make_sheet_mesh());
   auto& structure = *model.structure;
   structure::LoadHistory history(device);
   structure::Equilibrium problem(structure, history, Networks::relaxed,
@@ -355,7 +342,7 @@ TEST(Charge, ProbesShowVoltageAndCurrent)
     probe.of = kind == Kind::mean_stretch ? "film" : device.electrodes[0].name;
     device.probes.push_back(probe);
   }
-  testing::Model model(device, make_mesh());
+  testing::Model model(device, testing::make_sheet_mesh());
   structure::QuasiStaticSystem system(*model.structure, {});
   const auto state =
       system.make_initial_state(1, structure::Start::unrelaxed, true, {});
@@ -368,7 +355,7 @@ TEST(Charge, ProbesShowVoltageAndCurrent)
               1e-8);
   EXPECT_NEAR(values[3], charge, 1e-12 * charge);
   device.electrodes[0].control = Control::voltage;
-  testing::Model held(device, make_mesh());
+  testing::Model held(device, testing::make_sheet_mesh());
   structure::QuasiStaticSystem other(*held.structure, {});
   EXPECT_THROW(structure::Probes{other}, BadInput);
 }

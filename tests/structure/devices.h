@@ -75,6 +75,19 @@ make_grid(const unsigned int n_x, const unsigned int n_y,
   return mesh;
 }
 
+/// The unit square, two by two distorted cells of the second order.
+inline fe::MeshData make_sheet_mesh()
+{
+  return make_grid(2, 2, 2,
+                   [](const double xi, const double eta)
+                   {
+                     const double bubble = 16 * xi * (1 - xi) * eta * (1 - eta);
+                     return fe::Coordinates{
+                         xi + .06 * bubble * std::sin(5 * eta),
+                         eta - .06 * bubble * std::cos(5 * xi), 0.};
+                   });
+}
+
 inline fe::MeshData make_rectangle(const unsigned int n_x,
                                    const unsigned int n_y,
                                    const unsigned int order,

@@ -52,18 +52,6 @@ structure::Device make_device(const material::Spring& spring,
   return device;
 }
 
-fe::MeshData make_mesh()
-{
-  return testing::make_grid(
-      2, 2, 2,
-      [](const double xi, const double eta)
-      {
-        const double bubble = 16 * xi * (1 - xi) * eta * (1 - eta);
-        return fe::Coordinates{xi + .06 * bubble * std::sin(5 * eta),
-                               eta - .06 * bubble * std::cos(5 * xi), 0.};
-      });
-}
-
 double get_voltage(const structure::Device& device, const double field)
 {
   return testing::make_voltage(device.films[0], field, modulus);
@@ -74,7 +62,8 @@ class HeldSquare
 {
 public:
   explicit HeldSquare(const material::Spring& spring)
-      : model_(make_device(spring, {{1, 1}}, {{false, false}}), make_mesh()),
+      : model_(make_device(spring, {{1, 1}}, {{false, false}}),
+               testing::make_sheet_mesh()),
         statics_(*model_.structure)
   {
   }
@@ -178,7 +167,7 @@ TEST(DeadLoad, StretchFollowsTheClosedFormUpToPullIn)
   auto device = make_dead_loaded();
   const double voltage = get_voltage(device, 1);
   device.electrodes[0].voltage = Signal::ramp(voltage, 0, voltage);
-  testing::Model model(device, make_mesh());
+  testing::Model model(device, testing::make_sheet_mesh());
   auto& structure = *model.structure;
   structure::LoadHistory history(device);
   structure::Equilibrium problem(structure, history,
@@ -217,7 +206,7 @@ TEST(DeadLoad, StretchFollowsTheClosedFormUpToPullIn)
 
 TEST(DeadLoad, BranchBeyondPullInIsUnstable)
 {
-  testing::Model model(make_dead_loaded(), make_mesh());
+  testing::Model model(make_dead_loaded(), testing::make_sheet_mesh());
   auto& structure = *model.structure;
   testing::Statics statics(structure);
   const double field = dead_load_pull_in - 1e-4;
@@ -253,7 +242,7 @@ TEST(PureShear, WithoutLoadTensionAcrossIsLostAtTheReferenceFields)
     // Stretched to (w, w) in the mesh, width held, length free.
     testing::Model model(
         make_device(material::NeoHookean{1}, {{width, width}}, {{true, false}}),
-        make_mesh());
+        testing::make_sheet_mesh());
     auto& structure = *model.structure;
     testing::Statics statics(structure);
     const auto compute_tension_across = [&](const double field)
@@ -294,7 +283,7 @@ TEST(PureShear, StretchUnderLoadFollowsTheClosedForm)
       device.edge_loads = {load};
       device.electrodes[0].voltage =
           Signal::constant(get_voltage(device, std::sqrt(e)));
-      testing::Model model(device, make_mesh());
+      testing::Model model(device, testing::make_sheet_mesh());
       testing::Statics statics(*model.structure);
       for (auto& displacement : statics.u)
         displacement = .02;

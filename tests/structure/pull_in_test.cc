@@ -9,6 +9,7 @@
 
 #include "structure/pull_in.h"
 #include "structure/viscous_films.h"
+#include "structure/watch_refusal.h"
 
 namespace taut::pull_in
 {
@@ -194,16 +195,7 @@ std::string get_refusal(const structure::Device& device)
 {
   testing::Model model(device, testing::make_sheet_mesh());
   structure::QuasiStaticSystem system(*model.structure, {});
-  structure::Probes probes(system);
-  try
-  {
-    structure::Watches watches(system, probes);
-  }
-  catch (const BadInput& refusal)
-  {
-    return refusal.what();
-  }
-  return "accepted";
+  return testing::get_watch_refusal(system);
 }
 
 TEST(PullIn, RefusesWhatHasNone)

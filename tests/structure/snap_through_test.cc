@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "structure/frames.h"
+#include "structure/watch_refusal.h"
 
 namespace taut::testing::snap
 {
@@ -154,21 +155,7 @@ std::string get_refusal(const structure::Device& device, const bool inertia)
   structure::StructureSystem& system =
       inertia ? static_cast<structure::StructureSystem&>(inertial)
               : quasi_static;
-  structure::Probes probes(system);
-  try
-  {
-    structure::Watches watches(system, probes);
-  }
-  catch (const BadInput& refusal)
-  {
-    return refusal.what();
-  }
-  return "accepted";
-}
-
-void expect_contains(const std::string& text, const std::string& part)
-{
-  EXPECT_NE(text.find(part), std::string::npos) << text;
+  return get_watch_refusal(system);
 }
 
 TEST(SnapThrough, RefusesWhatCannotBeWatched)

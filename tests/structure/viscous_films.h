@@ -24,18 +24,6 @@ make_sheet(const material::Elastomer& elastomer,
   return device;
 }
 
-inline fe::MeshData make_sheet_mesh()
-{
-  return make_grid(2, 2, 2,
-                   [](const double xi, const double eta)
-                   {
-                     const double bubble = 16 * xi * (1 - xi) * eta * (1 - eta);
-                     return fe::Coordinates{
-                         xi + .06 * bubble * std::sin(5 * eta),
-                         eta - .06 * bubble * std::cos(5 * xi), 0.};
-                   });
-}
-
 inline time::IntegratorOptions make_slow_options(const double tolerance)
 {
   time::IntegratorOptions options;
