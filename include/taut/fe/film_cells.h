@@ -139,8 +139,8 @@ private:
   std::vector<std::pair<unsigned int, unsigned int>> batch_and_lane_;
   std::size_t n_internal_ = 0;
   std::size_t max_batch_internal_ = 0;
-  dealii::AlignedVector<double> gradients_;   ///< [batch][q][a][2][lane]
-  dealii::AlignedVector<double> volumes_;     ///< [batch][q][lane]
+  dealii::AlignedVector<double> gradients_; ///< [batch][q][a][2][lane]
+  dealii::AlignedVector<double> volumes_;   ///< [batch][q][lane]
   /// Both without any pre-stretch; empty until a film gets another one.
   dealii::AlignedVector<double> plain_gradients_, plain_volumes_;
   std::vector<std::array<double, 9>> frames_; ///< [cell][q] point, two axes
