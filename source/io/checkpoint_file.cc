@@ -16,7 +16,7 @@ namespace taut::io
 namespace
 {
 /// Changes with every change of StoredRun.
-const std::string first_line = "taut checkpoint 1\n";
+const std::string first_line = "taut checkpoint 2\n";
 
 /// What follows the first line.
 struct Seal

@@ -186,6 +186,8 @@ time::Observer FilmRun::make_observer()
   };
   observer.event = [this](const time::Event& event, const double* state)
   { write_event(event, state); };
+  observer.armed = [this](const std::vector<bool>& armed)
+  { progress_.armed_events = armed; };
   observer.interrupted = [this] { return output_.interrupted(); };
   observer.checkpoint = [this](const double time, const double* state)
   { write_checkpoint(time, state); };
@@ -194,9 +196,12 @@ time::Observer FilmRun::make_observer()
 
 void FilmRun::integrate()
 {
-  const auto result = time::integrate(
-      *system_, state_.data(), make_schedule(), case_.procedure.integrator,
-      watches_.make_time_watches(), make_observer(), &progress_.time);
+  auto watches = watches_.make_time_watches();
+  for (std::size_t i = 0; i < progress_.armed_events.size(); ++i)
+    watches.at(i).is_armed = progress_.armed_events[i];
+  const auto result = time::integrate(*system_, state_.data(), make_schedule(),
+                                      case_.procedure.integrator, watches,
+                                      make_observer(), &progress_.time);
   const auto& statistics = result.statistics;
   progress_.time = result.time;
   summary_.counters = {{"steps", statistics.steps},

@@ -100,6 +100,7 @@ private:
     return outcome_ != Outcome::completed;
   }
   void begin();
+  void tell_armed() const;
   void advance_to(const Stop& stop);
   void take_step(double stop);
   void deliver(const Step& step, const std::vector<Event>& events);
@@ -150,10 +151,18 @@ RunResult Run::integrate()
   return result;
 }
 
+void Run::tell_armed() const
+{
+  if (observer_.armed)
+    observer_.armed(finder_.get_armed());
+}
+
 void Run::begin()
 {
   output(time_, state_);
-  for (const Event& event : finder_.check(time_, state_, true))
+  const auto events = finder_.check(time_, state_, true);
+  tell_armed();
+  for (const Event& event : events)
     if (!has_stopped())
       deliver_event(event, state_);
 }
@@ -180,7 +189,9 @@ void Run::take_step(const double stop)
   ++steps_since_restart_;
   const AcceptedStep step(*stepper_, time_,
                           is_same_time(end, stop) ? stop : end);
-  deliver(step, finder_.find(step, scratch_.data()));
+  const auto events = finder_.find(step, scratch_.data());
+  tell_armed();
+  deliver(step, events);
   if (has_stopped())
     return;
   accept(step.end(), step.state());
@@ -241,7 +252,9 @@ void Run::pass(const Stop& stop)
   if (stop.is_jump)
   {
     system_.get_system().pass_stop_time(time_, state_);
-    for (const Event& event : finder_.check(time_, state_, false))
+    const auto events = finder_.check(time_, state_, false);
+    tell_armed();
+    for (const Event& event : events)
       if (outcome_ != Outcome::stopped_by_event)
         deliver_event(event, state_);
     // The last output may show the state before the jump.

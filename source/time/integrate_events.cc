@@ -8,9 +8,18 @@
 
 namespace taut::time
 {
-EventFinder::EventFinder(const std::vector<Watch>& watches)
-    : watches_(watches), conditions_(watches.size())
+EventFinder::EventFinder(const std::vector<Watch>& watches) : watches_(watches)
 {
+  for (const Watch& watch : watches)
+    conditions_.push_back({0, watch.is_armed});
+}
+
+std::vector<bool> EventFinder::get_armed() const
+{
+  std::vector<bool> armed;
+  for (const Condition& condition : conditions_)
+    armed.push_back(condition.is_armed);
+  return armed;
 }
 
 std::vector<Event> EventFinder::check(const double time, const double* state,

@@ -20,6 +20,8 @@ public:
   /// output to about 1e-14 of its time. `scratch` has room for a state.
   std::vector<Event> find(const Step& step, double* scratch);
 
+  std::vector<bool> get_armed() const;
+
 private:
   struct Condition
   {

@@ -120,6 +120,7 @@ study::RunProgress make_progress()
   progress.history_rows = 5;
   progress.field_frames = 2;
   progress.event_rows = 1;
+  progress.armed_events = {false, true};
   progress.initial_energy = .25;
   progress.balance_absolute = 1e-9;
   progress.balance_scale = 2;
@@ -145,6 +146,7 @@ void expect_restored(const std::string& folder)
   EXPECT_EQ(checkpoint.progress.history_rows, 5u);
   EXPECT_EQ(checkpoint.progress.field_frames, 2u);
   EXPECT_EQ(checkpoint.progress.event_rows, 1u);
+  EXPECT_EQ(checkpoint.progress.armed_events, (std::vector<bool>{false, true}));
   EXPECT_EQ(checkpoint.progress.initial_energy, .25);
   EXPECT_EQ(checkpoint.progress.balance_absolute, 1e-9);
   EXPECT_EQ(checkpoint.progress.balance_scale, 2);

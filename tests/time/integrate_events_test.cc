@@ -125,6 +125,37 @@ TEST(Events, AWatchThatHoversIsHeardOnce)
   EXPECT_EQ(count(.06), 1u);
 }
 
+TEST(Events, AWatchThatFiredBeforeTheRunFiresOnceItHasRecovered)
+{
+  // u starts at 1, .05 above the level, and falls through it after .05 periods.
+  const auto count = [](const double recovered, const bool is_armed)
+  {
+    Watch watch = watch_position(.95);
+    watch.recovered = recovered;
+    watch.is_armed = is_armed;
+    return swing({watch}, 1e-9, 1.5 * period).events.size();
+  };
+  EXPECT_EQ(count(.06, true), 1u);
+  EXPECT_EQ(count(.06, false), 0u);
+  EXPECT_EQ(count(.04, false), 2u);
+}
+
+TEST(Events, TheRunKnowsWhichWatchesAreArmed)
+{
+  Oscillators system = make_swing();
+  auto state = system.make_start();
+  Schedule schedule;
+  schedule.end = .1 * period;
+  IntegratorOptions options;
+  options.position_tolerance = 1e-9;
+  std::vector<bool> armed;
+  Observer observer;
+  observer.armed = [&](const std::vector<bool>& now) { armed = now; };
+  integrate(system, state.data(), schedule, options,
+            {watch_position(.95), watch_position(-.5)}, observer);
+  EXPECT_EQ(armed, (std::vector<bool>{false, true}));
+}
+
 TEST(Events, NegativeAtTheStartIsReportedOnce)
 {
   const Record record = swing({watch_position(1.5)}, 1e-7, period);

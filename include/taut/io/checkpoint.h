@@ -53,6 +53,7 @@ struct StoredRun
   {
     archive& progress.time& progress.steps& progress.history_rows;
     archive& progress.field_frames& progress.event_rows;
+    archive& progress.armed_events;
     archive& progress.initial_energy& progress.balance_absolute;
     archive& progress.balance_scale;
     archive& parameters& mesh_checksum& cells;

@@ -80,6 +80,8 @@ struct RunProgress
   std::size_t history_rows = 0;
   std::size_t field_frames = 0;
   std::size_t event_rows = 0;
+  /// Which events may happen (again), in the order of the case; empty = all.
+  std::vector<bool> armed_events;
   /// Total energy at the start, which the balance is measured against (J).
   double initial_energy = 0;
   double balance_absolute = 0;

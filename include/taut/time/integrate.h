@@ -91,6 +91,8 @@ struct Watch
   bool fatal = false;
   /// Not negative.
   double recovered = 0;
+  /// False where a run goes on in which it fired and has not recovered yet.
+  bool is_armed = true;
 };
 
 struct Event
@@ -115,6 +117,8 @@ struct Observer
   std::function<void(const Step&, const IntegratorStatistics&)> step;
   /// Called once per event, in order of time, with the state at the event.
   std::function<void(const Event&, const double* state)> event;
+  /// Called when the watches have been looked at: which of them may fire.
+  std::function<void(const std::vector<bool>&)> armed;
   /// Asked after each step; true ends the run in good order (a signal, a limit
   /// of wall time).
   std::function<bool()> interrupted;
