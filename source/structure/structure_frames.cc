@@ -277,6 +277,11 @@ void Structure::add_frame_damping_product(const double* rates, double* result)
       });
 }
 
+void Structure::forget_linearisation()
+{
+  frames_->forget_linearisation();
+}
+
 void Structure::set_rest_path(const double stiffening,
                               const std::array<double, 3>& load)
 {
