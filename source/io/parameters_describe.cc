@@ -32,6 +32,36 @@ void describe_section(std::ostream& stream, const Declarations& all,
   stream << '\n';
 }
 
+/// `a | b` would end a cell of a table.
+std::string make_cell(std::string text)
+{
+  for (std::size_t i = text.find('|'); i != std::string::npos;
+       i = text.find('|', i + 2))
+    text.insert(i, 1, '\\');
+  return text;
+}
+
+void describe_section_on_page(std::ostream& stream, const Declarations& all,
+                              const SectionDocumentation& section)
+{
+  stream << fmt::format("\n## {}\n\n{}.\n\n",
+                        section.section.empty() ? "Top level"
+                                                : join(section.section),
+                        section.meaning);
+  bool first = true;
+  for (const Parameter& parameter : all.parameters())
+  {
+    if (parameter.section != section.section)
+      continue;
+    if (first)
+      stream << "| key | default | meaning |\n|---|---|---|\n";
+    first = false;
+    stream << fmt::format("| `{}` | {} | {} |\n", parameter.key,
+                          make_cell(show_default(parameter)),
+                          make_cell(parameter.documentation));
+  }
+}
+
 /// "Film" of "Film NAME".
 std::string kind_of(const std::string& section)
 {
@@ -69,5 +99,19 @@ void describe(std::ostream& stream, const std::string& section)
   if (!found)
     throw BadInput(fmt::format("there is no section '{}'; {}", section,
                                suggest(section, {kinds.begin(), kinds.end()})));
+}
+
+void describe_as_page(std::ostream& stream)
+{
+  Declarations all;
+  CaseDraft draft;
+  declare_everything(all, draft);
+  stream << "# Parameters of a case\n\n"
+            "What `taut describe --markdown` prints. Sections called `KIND "
+            "NAME` may be given any number of times, under names of your own; "
+            "a section inside another stands behind a slash. Values are in SI "
+            "units and stand without them.\n";
+  for (const SectionDocumentation& section : all.sections())
+    describe_section_on_page(stream, all, section);
 }
 } // namespace taut::io

@@ -26,13 +26,18 @@ make_system(const Case& run_case, structure::Structure& structure)
   return std::make_unique<structure::QuasiStaticSystem>(structure, path);
 }
 
+bool is_path(const Case& run_case)
+{
+  const Analysis analysis = run_case.procedure.analysis;
+  return analysis == Analysis::equilibrium ||
+         analysis == Analysis::continuation;
+}
+
 /// Static paths of relaxed films stay relaxed.
 structure::Networks get_networks(const Case& run_case)
 {
-  const ProcedureDescription& procedure = run_case.procedure;
-  const bool is_path = procedure.analysis == Analysis::equilibrium ||
-                       procedure.analysis == Analysis::continuation;
-  return is_path && procedure.start == structure::Start::relaxed
+  return is_path(run_case) &&
+                 run_case.procedure.start == structure::Start::relaxed
              ? structure::Networks::relaxed
              : structure::Networks::as_given;
 }
@@ -44,7 +49,7 @@ FilmRun::FilmRun(const Case& run_case, structure::Structure& structure,
     : case_(run_case), output_(output),
       system_(make_system(run_case, structure)), probes_(*system_),
       watches_(*system_, probes_, get_networks(run_case)),
-      rows_(*system_, probes_, watches_),
+      rows_(*system_, probes_, watches_, !is_path(run_case)),
       history_times_(make_output_times(run_case.procedure,
                                        run_case.output.history_intervals,
                                        run_case.output.history_times)),
