@@ -230,24 +230,25 @@ void Vibration::multiply_damping(const double* x, double* result)
     structure_.add_frame_damping_product(x, result);
 }
 
-fe::NodalVector Vibration::compute_motion(const double* x) const
+std::vector<double> Vibration::compute_motion(const double* x) const
 {
   auto motion = structure_.nodes().make_vector();
   structure_.prolong(x, motion);
   motion.update_ghost_values();
   fe::distribute_change(structure_.nodes(), &structure_.tangent_positions_,
                         motion);
-  return motion;
+  return {motion.begin(),
+          motion.begin() + 3 * structure_.nodes().n_local};
 }
 
-double Vibration::compute_largest(const fe::NodalVector& motion) const
+double Vibration::compute_largest(const std::vector<double>& motion) const
 {
   double square = 0;
   const auto look_at = [&](const fe::LocalNode node)
   {
     double sum = 0;
     for (unsigned int c = 0; c < 3; ++c)
-      sum += std::pow(fe::entry(motion, 3 * node + c), 2);
+      sum += std::pow(motion[3 * node + c], 2);
     square = std::max(square, sum);
   };
   for (const auto& cell : structure_.cells().cells())

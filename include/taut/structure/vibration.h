@@ -86,10 +86,10 @@ public:
   {
     return total_mass_; ///< (kg)
   }
-  /// Displacements of all local nodes, with ghosts (unit of x).
-  fe::NodalVector compute_motion(const double* x) const;
+  /// Displacements of all local nodes, 3 node + component (unit of x).
+  std::vector<double> compute_motion(const double* x) const;
   /// The largest of film and axes of frames, over all ranks.
-  double compute_largest(const fe::NodalVector& motion) const;
+  double compute_largest(const std::vector<double>& motion) const;
   /// x . y over all ranks.
   double multiply(const double* x, const double* y) const;
 
