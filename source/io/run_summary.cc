@@ -22,6 +22,31 @@ Json make_row(const std::vector<study::Column>& columns,
   return values;
 }
 
+Json make_modes(const study::ModesReport& report)
+{
+  Json modes;
+  modes["time"] = report.time;
+  modes["stable"] = report.stable;
+  modes["lowest_relaxed"] = report.lowest_relaxed;
+  modes["lowest_frozen"] = report.lowest_frozen;
+  modes["unstable_relaxed"] = report.unstable_relaxed;
+  modes["unstable_frozen"] = report.unstable_frozen;
+  for (const char* list : {"frequencies", "squares", "damping_ratios"})
+    modes[list] = Json::array();
+  for (const auto& mode : report.modes)
+  {
+    modes["frequencies"].push_back(mode.frequency());
+    modes["squares"].push_back(mode.square);
+    modes["damping_ratios"].push_back(mode.damping_ratio);
+  }
+  modes["relaxation_times"] = Json::object();
+  for (const auto& relaxation : report.relaxations)
+    modes["relaxation_times"][relaxation.name] = relaxation.time;
+  modes["mass"] = report.total_mass;
+  modes["moved"] = report.moved;
+  return modes;
+}
+
 Json make_changes(const std::vector<ChangedParameter>& changed)
 {
   Json changes = Json::object();
@@ -67,6 +92,8 @@ std::string make_run_json(const study::RunSummary& summary,
   run["final"] = make_row(summary.columns, summary.final_row);
   if (!summary.other_branch.empty())
     run["other_branch"] = make_row(summary.columns, summary.other_branch);
+  if (summary.modes)
+    run["modes"] = make_modes(*summary.modes);
   run["notes"] = summary.notes;
   run["counters"] = summary.counters;
   run["timings"] = summary.timings;

@@ -45,8 +45,8 @@ structure::Networks get_networks(const Case& run_case)
 } // namespace
 
 FilmRun::FilmRun(const Case& run_case, structure::Structure& structure,
-                 RunOutput& output)
-    : case_(run_case), output_(output),
+                 RunOutput& output, const std::optional<StateVisit>& visit)
+    : case_(run_case), output_(output), visit_(visit),
       system_(make_system(run_case, structure)), probes_(*system_),
       watches_(*system_, probes_, get_networks(run_case)),
       rows_(*system_, probes_, watches_, !is_path(run_case)),
@@ -253,6 +253,24 @@ void FilmRun::finish(const Clock::time_point began)
       std::chrono::duration<double>(Clock::now() - began).count();
 }
 
+void FilmRun::advance()
+{
+  if (visit_ && visit_->at_start)
+    write(progress_.time, state_.data(), true);
+  else if (case_.procedure.analysis == Analysis::equilibrium)
+    follow_path();
+  else if (case_.procedure.analysis == Analysis::continuation)
+    continue_path();
+  else
+    integrate();
+}
+
+void FilmRun::visit_state()
+{
+  if (visit_ && summary_.status == Status::completed)
+    visit_->visit(progress_.time, *system_, state_, summary_);
+}
+
 RunSummary FilmRun::run(const std::optional<Checkpoint>& resume)
 {
   const auto began = Clock::now();
@@ -260,12 +278,8 @@ RunSummary FilmRun::run(const std::optional<Checkpoint>& resume)
   try
   {
     start(resume);
-    if (case_.procedure.analysis == Analysis::equilibrium)
-      follow_path();
-    else if (case_.procedure.analysis == Analysis::continuation)
-      continue_path();
-    else
-      integrate();
+    advance();
+    visit_state();
   }
   catch (const SolverFailed& failure)
   {
@@ -280,8 +294,9 @@ RunSummary FilmRun::run(const std::optional<Checkpoint>& resume)
 }
 
 RunSummary run_film(const Case& run_case, structure::Structure& structure,
-                    RunOutput& output, const std::optional<Checkpoint>& resume)
+                    RunOutput& output, const std::optional<Checkpoint>& resume,
+                    const std::optional<StateVisit>& visit)
 {
-  return FilmRun(run_case, structure, output).run(resume);
+  return FilmRun(run_case, structure, output, visit).run(resume);
 }
 } // namespace taut::study

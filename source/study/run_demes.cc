@@ -58,6 +58,14 @@ void report(const LumpedDemesDescription& device, const lumped::DemesRun& run,
 
 RunSummary run_demes(const Case& run_case, RunOutput& output)
 {
+  return visit_demes(run_case, output,
+                     [](const lumped::DemesRun&, RunSummary&) {});
+}
+
+RunSummary visit_demes(
+    const Case& run_case, RunOutput& output,
+    const std::function<void(const lumped::DemesRun&, RunSummary&)>& visit)
+{
   std::vector<Column> columns;
   for (const auto& column : get_lumped_demes_columns())
     columns.push_back(column.column);
@@ -66,6 +74,9 @@ RunSummary run_demes(const Case& run_case, RunOutput& output)
       [&](const std::vector<double>& times)
       { return run_lumped(run_case.lumped_demes, run_case.procedure, times); },
       [&](const auto& run, RunSummary& summary)
-      { report(run_case.lumped_demes, run, output, summary); });
+      {
+        report(run_case.lumped_demes, run, output, summary);
+        visit(run, summary);
+      });
 }
 } // namespace taut::study

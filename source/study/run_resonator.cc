@@ -76,6 +76,14 @@ void report(const Case& run_case, const lumped::ResonatorRun& run,
 
 RunSummary run_resonator(const Case& run_case, RunOutput& output)
 {
+  return visit_resonator(run_case, output,
+                     [](const lumped::ResonatorRun&, RunSummary&) {});
+}
+
+RunSummary visit_resonator(
+    const Case& run_case, RunOutput& output,
+    const std::function<void(const lumped::ResonatorRun&, RunSummary&)>& visit)
+{
   std::vector<Column> columns;
   for (const auto& column : get_lumped_columns())
     columns.push_back(column.column);
@@ -85,6 +93,9 @@ RunSummary run_resonator(const Case& run_case, RunOutput& output)
         return run_lumped(run_case.lumped_resonator, run_case.procedure, times);
       },
       [&](const auto& run, RunSummary& summary)
-      { report(run_case, run, output, summary); });
+      {
+        report(run_case, run, output, summary);
+        visit(run, summary);
+      });
 }
 } // namespace taut::study
