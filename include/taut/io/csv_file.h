@@ -28,6 +28,14 @@ private:
   std::ofstream stream_;
 };
 
+/// The first rows of a file of numbers below its header.
+/// Errors: BadInput if it has fewer, or fields that are no numbers.
+std::vector<std::vector<double>> read_rows(const std::string& file,
+                                           std::size_t rows);
+
+/// In quotes if it needs them.
+std::string quote_field(const std::string& field);
+
 /// 15 significant digits.
 std::string to_field(double value);
 } // namespace taut::io
