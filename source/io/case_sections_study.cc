@@ -10,13 +10,16 @@ void declare_procedure(Section section, ProcedureDescription& procedure)
 {
   using structure::Analysis;
   using structure::Start;
-  section.optional("Analysis", procedure.analysis,
-                   choice<Analysis>({{"equilibrium", Analysis::equilibrium},
-                                     {"continuation", Analysis::continuation},
-                                     {"quasi-static", Analysis::quasi_static},
-                                     {"transient", Analysis::transient}}),
-                   "static path, one that may turn back in time, viscous flow "
-                   "without inertia, or motion");
+  section.optional(
+      "Analysis", procedure.analysis,
+      choice<Analysis>({{"equilibrium", Analysis::equilibrium},
+                        {"continuation", Analysis::continuation},
+                        {"quasi-static", Analysis::quasi_static},
+                        {"transient", Analysis::transient},
+                        {"frequency response", Analysis::frequency_response}}),
+      "static path, one that may turn back in time, viscous flow "
+      "without inertia, motion, or the settled motions of a "
+      "lumped model over the frequency of its source");
   section.optional("Start", procedure.start,
                    choice<Start>({{"relaxed", Start::relaxed},
                                   {"unrelaxed", Start::unrelaxed}}),
@@ -351,7 +354,8 @@ void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
   const Entry* model = text.find({}, "Model");
   if (model && model->value == "demes")
     declare_lumped_demes(all, content.lumped_demes);
-  for (const char* kind : {"Procedure", "Output", "Checkpoint", "Modes", "Comparison"})
+  for (const char* kind :
+       {"Procedure", "Output", "Checkpoint", "Modes", "Comparison"})
     all.allow_section({}, kind, false);
   all.allow_section({"Procedure"}, "Integrator", false);
   declare_procedure(all.section({"Procedure"}, "what is done with the device"),
@@ -364,6 +368,7 @@ void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
   declare_continuation(all.section({"Procedure", "Continuation"},
                                    "the way of Analysis = continuation"),
                        content.procedure.continuation);
+  declare_frequency_response(all, text, content.procedure);
   declare_integrator(
       all.section({"Procedure", "Integrator"}, "how time is stepped"),
       text.find({"Procedure"}, "Analysis"), content.procedure.integrator);
@@ -374,6 +379,7 @@ void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
       content.checkpoint);
   declare_modes(all.section({"Modes"}, "what `taut modes` looks for"),
                 content.modes);
+  declare_motion(all, text, content);
   if (text.find({"Comparison"}))
     declare_comparison(
         all.section({"Comparison"}, "the film case as a lumped model"), draft);

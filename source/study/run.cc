@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "motion_recorder.h"
 #include "run_continuation.h"
 #include "run_events.h"
 #include "run_film.h"
@@ -50,9 +51,7 @@ FilmRun::FilmRun(const Case& run_case, structure::Structure& structure,
       system_(make_system(run_case, structure)), probes_(*system_),
       watches_(*system_, probes_, get_networks(run_case)),
       rows_(*system_, probes_, watches_, !is_path(run_case)),
-      history_times_(make_output_times(run_case.procedure,
-                                       run_case.output.history_intervals,
-                                       run_case.output.history_times)),
+      history_times_(make_history_times(run_case)),
       field_times_(make_output_times(run_case.procedure,
                                      run_case.output.field_intervals,
                                      run_case.output.field_times))
@@ -297,6 +296,9 @@ RunSummary run_film(const Case& run_case, structure::Structure& structure,
                     RunOutput& output, const std::optional<Checkpoint>& resume,
                     const std::optional<StateVisit>& visit)
 {
-  return FilmRun(run_case, structure, output, visit).run(resume);
+  return record_motion(
+      run_case, output,
+      [&](RunOutput& recorded)
+      { return FilmRun(run_case, structure, recorded, visit).run(resume); });
 }
 } // namespace taut::study

@@ -3,6 +3,7 @@
 #include <taut/structure/systems.h>
 #include <taut/study/case.h>
 #include <taut/study/modes_report.h>
+#include <taut/study/motion.h>
 #include <taut/time/integrate.h>
 
 #include <array>
@@ -46,6 +47,13 @@ enum class Status
   failed
 };
 
+/// A file of its own beside history.csv.
+struct Table
+{
+  std::vector<Column> columns;
+  std::vector<std::vector<double>> rows;
+};
+
 /// What run.json tells; all times in seconds.
 struct RunSummary
 {
@@ -66,6 +74,10 @@ struct RunSummary
   double balance_relative = 0;
   /// Of `taut modes`.
   std::optional<ModesReport> modes;
+  /// If the case asks for it and the run reached it.
+  std::optional<Motion> motion;
+  /// By the name of the file without its ending.
+  std::map<std::string, Table> tables;
 };
 
 /// What of a run must survive besides the state, so that it can go on.
@@ -112,6 +124,11 @@ public:
   virtual bool wants_checkpoint() = 0;
   /// True if the run should stop in good order (SIGTERM, SIGINT).
   virtual bool interrupted() = 0;
+  /// The rows that a resumed run wrote before it was cut.
+  virtual std::vector<std::vector<double>> get_earlier_rows()
+  {
+    return {};
+  }
 };
 
 /// Something else that is done with a state of a run.
