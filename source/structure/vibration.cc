@@ -135,14 +135,9 @@ Vibration::make_laws(const std::vector<double>& relaxation_times) const
   return laws;
 }
 
-std::vector<double> Vibration::make_times(const double others) const
-{
-  return std::vector<double>(n_times_, others);
-}
-
 void Vibration::assemble(const double rate,
                          const std::vector<fe::BatchLaw>& laws,
-                         const int held_circuit)
+                         const std::vector<bool>& held)
 {
   structure_.set_tangent_state(loads_, u_.data(), internal_.data(),
                                Networks::as_given);
@@ -154,10 +149,10 @@ void Vibration::assemble(const double rate,
   structure_.assemble(request);
   asymmetry_ = matrices_->set_stiffness(structure_.tangent_->get());
   border_.reset(communicator(), rate);
-  int circuit = 0;
+  std::size_t circuit = n_times_;
   for (SourceBorder::Column column : columns_)
   {
-    if (column.conductance > 0 && circuit++ == held_circuit)
+    if (column.conductance > 0 && held[circuit++])
       column.conductance = 0;
     border_.add(column);
   }
@@ -165,30 +160,24 @@ void Vibration::assemble(const double rate,
 
 void Vibration::freeze()
 {
-  assemble(std::numeric_limits<double>::infinity(), laws_, -1);
+  assemble(std::numeric_limits<double>::infinity(), laws_,
+           std::vector<bool>(relaxations_.size(), true));
 }
 
 void Vibration::relax()
 {
-  assemble(slowest, make_laws(make_times(at_once)), -1);
-}
-
-void Vibration::hold(const std::size_t relaxation)
-{
-  auto times = make_times(at_once);
-  int circuit = -1;
-  if (relaxation < n_times_)
-    times[relaxation] = never;
-  else
-    circuit = static_cast<int>(relaxation - n_times_);
-  assemble(slowest, make_laws(times), circuit);
+  assemble(slowest, make_laws(std::vector<double>(n_times_, at_once)),
+           std::vector<bool>(relaxations_.size(), false));
 }
 
 void Vibration::flow(const std::size_t relaxation, const double rate)
 {
-  auto times = make_times(at_once);
-  times.at(relaxation) = relaxations_[relaxation].time;
-  assemble(rate, make_laws(times), -1);
+  std::vector<double> times(n_times_, never);
+  std::vector<bool> held(relaxations_.size(), true);
+  held.at(relaxation) = false;
+  if (!is_circuit(relaxation))
+    times[relaxation] = relaxations_[relaxation].time;
+  assemble(std::max(rate, slowest), make_laws(times), held);
 }
 
 void Vibration::multiply_mass(const double* x, double* result)

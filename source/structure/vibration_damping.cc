@@ -76,12 +76,6 @@ std::vector<double> reduce_stiffness(const Vibration& vibration,
                 { vibration.multiply_stiffness(x, result); });
 }
 
-void subtract(const std::vector<double>& other, std::vector<double>& matrix)
-{
-  for (std::size_t i = 0; i < matrix.size(); ++i)
-    matrix[i] -= other[i];
-}
-
 double compute_quadratic(const std::vector<double>& matrix,
                          const std::vector<double>& x)
 {
@@ -92,57 +86,59 @@ double compute_quadratic(const std::vector<double>& matrix,
   return sum;
 }
 
-/// A relaxation on the basis: what it adds to the stiffness if it is held, and
-/// if it answers a motion of the rate 1/T.
+/// What a relaxation takes from the stiffness of a motion exp(rate t).
+std::vector<double> compute_loss(Vibration& vibration, const Vectors& basis,
+                                 const std::vector<double>& frozen,
+                                 const std::size_t relaxation,
+                                 const double rate)
+{
+  vibration.flow(relaxation, rate);
+  auto loss = reduce_stiffness(vibration, basis);
+  for (std::size_t i = 0; i < loss.size(); ++i)
+    loss[i] = frozen[i] - loss[i];
+  return loss;
+}
+
+double get_largest(const std::vector<double>& matrix)
+{
+  double largest = 0;
+  for (const double entry : matrix)
+    largest = std::max(largest, std::abs(entry));
+  return largest;
+}
+
+/// What a relaxation takes from the stiffness of slow motions, and of those of
+/// the rate 1/T.
 struct Part
 {
-  std::vector<double> held, flowing;
+  std::vector<double> slow, quick;
   double time;
-  bool is_circuit;
 
-  /// From held/flowing = 1 + 1/(rate T) at a mode.
+  /// From slow/quick = 1 + rate T at a mode.
   double compute_time(const std::vector<double>& mode) const
   {
-    const double whole = compute_quadratic(held, mode);
-    const double answer = is_circuit ? 0. : compute_quadratic(flowing, mode);
+    const double all = compute_quadratic(slow, mode);
+    const double some = compute_quadratic(quick, mode);
     // A mode that does not strain these networks has no opinion.
-    if (!(std::abs(answer) > 1e-9 * std::abs(mode_stiffness(mode))))
-      return time;
-    const double ratio = answer / whole;
-    return ratio > 0 && ratio < 1 ? time * ratio / (1 - ratio) : time;
-  }
-  double mode_stiffness(const std::vector<double>& mode) const
-  {
-    double trace = 0;
-    for (std::size_t i = 0; i < mode.size(); ++i)
-      trace = std::max(trace, std::abs(held[i * (mode.size() + 1)]));
-    return trace;
+    constexpr double least = 1e-9;
+    const bool takes_part = all > least * get_largest(slow);
+    return takes_part && some > 0 && some < all ? time * (all / some - 1)
+                                                : time;
   }
 };
 
-std::vector<Part> make_parts(Vibration& vibration, const Vectors& basis)
+std::vector<Part> make_parts(Vibration& vibration, const Vectors& basis,
+                             const std::vector<double>& frozen)
 {
-  vibration.relax();
-  const auto relaxed = reduce_stiffness(vibration, basis);
   std::vector<Part> parts;
   const auto& relaxations = vibration.relaxations();
   for (std::size_t r = 0; r < relaxations.size(); ++r)
   {
-    Part part;
-    part.time = relaxations[r].time;
-    part.is_circuit = vibration.is_circuit(r);
-    vibration.hold(r);
-    part.held = reduce_stiffness(vibration, basis);
-    subtract(relaxed, part.held);
-    if (!part.is_circuit)
-    {
-      vibration.flow(r, 1 / part.time);
-      part.flowing = reduce_stiffness(vibration, basis);
-      subtract(relaxed, part.flowing);
-    }
-    parts.push_back(std::move(part));
+    const double time = relaxations[r].time;
+    parts.push_back({compute_loss(vibration, basis, frozen, r, 0),
+                     compute_loss(vibration, basis, frozen, r, 1 / time),
+                     time});
   }
-  vibration.freeze();
   return parts;
 }
 
@@ -160,35 +156,52 @@ std::vector<double> project(Vibration& vibration, const Vectors& basis,
 
 std::vector<DampedMode>
 compute_damped_modes(Vibration& vibration,
-                     const std::vector<time::VibrationMode>& frozen,
-                     const std::vector<time::VibrationMode>& relaxed)
+                     const std::vector<time::VibrationMode>& modes,
+                     const std::vector<time::VibrationMode>& others,
+                     const bool at_rest)
 {
-  const Vectors basis = make_basis(vibration, frozen, relaxed);
-  const auto parts = make_parts(vibration, basis);
+  const Vectors basis = make_basis(vibration, modes, others);
   time::DampedVibration reduced;
   reduced.size = basis.size();
+  vibration.freeze();
   reduced.stiffness = reduce_stiffness(vibration, basis);
   reduced.damping.assign(basis.size() * basis.size(), 0.);
   if (vibration.has_damping())
     reduced.damping =
         reduce(vibration, basis, [&](const double* x, double* result)
                { vibration.multiply_damping(x, result); });
-  for (const Part& part : parts)
-    reduced.parts.push_back({part.held, part.time});
+  for (const Relaxation& relaxation : vibration.relaxations())
+    reduced.parts.push_back({{}, relaxation.time});
+  std::vector<Part> parts;
+  if (at_rest)
+    parts = make_parts(vibration, basis, reduced.stiffness);
   std::vector<DampedMode> damped;
-  for (const time::VibrationMode& mode : frozen)
+  for (const time::VibrationMode& mode : modes)
   {
     const auto shape = project(vibration, basis, mode.shape);
+    const double frequency = std::sqrt(std::max(0., mode.square));
     DampedMode result;
-    for (std::size_t r = 0; r < parts.size(); ++r)
+    for (std::size_t r = 0; r < reduced.parts.size(); ++r)
     {
-      reduced.parts[r].time = parts[r].compute_time(shape);
-      result.products.push_back(std::sqrt(std::max(0., mode.square)) *
-                                reduced.parts[r].time);
+      auto& part = reduced.parts[r];
+      if (at_rest)
+      {
+        part.time = parts[r].compute_time(shape);
+        part.stiffness = parts[r].slow;
+      }
+      else
+      {
+        part.stiffness = compute_loss(vibration, basis, reduced.stiffness, r,
+                                      frequency);
+        for (double& entry : part.stiffness)
+          entry *= 1 + frequency * part.time;
+      }
+      result.products.push_back(frequency * part.time);
     }
     result.rate = time::find_damped_rate(reduced, shape);
-    damped.push_back(result);
+    damped.push_back(std::move(result));
   }
+  vibration.freeze();
   return damped;
 }
 } // namespace taut::structure

@@ -16,7 +16,7 @@ using structure::Vibration;
 
 /// Squares of frequencies below this part of the largest count as zero.
 constexpr double round_off = 1e-9;
-/// What still relaxes by more than this in one period is told.
+/// Internal variables that will still change by more than this are not at rest.
 constexpr double noticeable_drift = 1e-3;
 
 /// With two digits.
@@ -61,7 +61,7 @@ private:
   double find_lowest(const std::vector<time::VibrationMode>& modes);
   void describe(const std::vector<structure::DampedMode>& damped);
   void set_masses(const time::VibrationMode& mode, ModesReport::Mode& row);
-  void note_drift();
+  double compute_drift();
 
   const Case& case_;
   structure::StructureSystem& system_;
@@ -163,15 +163,24 @@ void FilmModes::find()
     report_.lowest_relaxed = report_.lowest_frozen;
     report_.unstable_relaxed = report_.unstable_frozen;
   }
-  report_.stable = report_.unstable_relaxed == 0;
+  const double drift = compute_drift();
+  const bool at_rest = drift < noticeable_drift;
+  if (!at_rest)
+    notes_.push_back(
+        "the networks still relax (their longest time multiplies the fastest "
+        "change of their internal variables to " +
+        show(drift) + "): damping and stability are those of the moment, with "
+                      "the networks frozen");
+  report_.stable =
+      (at_rest ? report_.unstable_relaxed : report_.unstable_frozen) == 0;
   if (relaxes && wants_relaxed)
     std::swap(frozen, relaxed);
   modes_ = std::move(frozen);
   for (const auto& relaxation : vibration_->relaxations())
     report_.relaxations.push_back({relaxation.name, relaxation.time});
   report_.total_mass = vibration_->total_mass();
-  describe(structure::compute_damped_modes(*vibration_, modes_, relaxed));
-  note_drift();
+  describe(structure::compute_damped_modes(*vibration_, modes_, relaxed,
+                                           at_rest));
 }
 
 void FilmModes::describe(const std::vector<structure::DampedMode>& damped)
@@ -202,24 +211,21 @@ void FilmModes::set_masses(const time::VibrationMode& mode,
                  2));
 }
 
-void FilmModes::note_drift()
+/// Fastest change of an internal variable times the longest relaxation time.
+double FilmModes::compute_drift()
 {
   auto& structure = system_.structure();
   std::vector<double> forces(structure.n_free()), rates(structure.n_internal());
   structure.compute_forces(system_.loads_at(time_, state_.data()),
                            state_.data(), system_.internal(state_.data()),
                            Networks::as_given, forces.data(), rates.data());
-  double rate = 0;
+  double rate = 0, longest = 0;
   for (const double entry : rates)
     rate = std::max(rate, std::abs(entry));
-  rate = dealii::Utilities::MPI::max(rate, structure.communicator());
-  const double frequency = report_.modes.front().frequency();
-  const double drift = frequency > 0 ? rate / frequency : 0.;
-  if (drift > noticeable_drift)
-    notes_.push_back(
-        "the networks still relax, by up to " + show(drift) +
-        " in a period of the first mode: damping and stability are those of "
-        "the moment");
+  for (std::size_t r = 0; r < vibration_->relaxations().size(); ++r)
+    if (!vibration_->is_circuit(r))
+      longest = std::max(longest, vibration_->relaxations()[r].time);
+  return longest * dealii::Utilities::MPI::max(rate, structure.communicator());
 }
 
 std::vector<std::vector<double>> FilmModes::make_motions() const

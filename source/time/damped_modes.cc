@@ -12,8 +12,8 @@ namespace taut::time
 {
 namespace
 {
-/// Directions that differ by more than this have nothing in common.
-constexpr double resembling = 1e-3;
+/// What swings must resemble a vector so much where something creeps, too.
+constexpr double resembling = 0.5;
 
 /// A dense matrix on this rank and its eigenvectors.
 class DenseEigenproblem
@@ -134,28 +134,25 @@ std::complex<double> find_damped_rate(const DampedVibration& vibration,
   const PetscInt count = matrix.solve();
   std::vector<std::complex<double>> q;
   std::complex<double> swinging, creeping;
-  double closest = resembling;
+  double closest = 0;
   bool creeps = false;
   for (PetscInt i = 0; i < count; ++i)
   {
     const std::complex<double> rate = matrix.get(i, n, q);
     const double resemblance = compute_resemblance(q, shape);
-    if (rate.imag() > 1e-12 * std::abs(rate))
+    if (rate.imag() > 0 && resemblance > closest)
     {
-      if (resemblance > closest)
-      {
-        closest = resemblance;
-        swinging = rate;
-      }
+      closest = resemblance;
+      swinging = rate;
     }
-    else if (rate.imag() == 0 && resemblance > 0.5 &&
-             (!creeps || std::abs(rate) > std::abs(creeping)))
+    else if (rate.imag() == 0 && resemblance > resembling &&
+             (!creeps || rate.real() > creeping.real()))
     {
       creeps = true;
       creeping = rate.real();
     }
   }
-  const bool swings = closest > (creeps ? 0.5 : resembling);
+  const bool swings = closest > (creeps ? resembling : 0.);
   return unit * (swings ? swinging : creeping);
 }
 } // namespace taut::time

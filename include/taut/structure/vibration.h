@@ -59,12 +59,8 @@ public:
   void freeze();
   /// K of what is slow: all follow at once.
   void relax();
-  /// All follow but one relaxation, which is held. About a relaxed state this
-  /// adds to K all that the relaxation does: at the rate s (1/s)
-  ///   K(s) = K_relaxed + sum over r of s T_r/(1 + s T_r) (K_r - K_relaxed).
-  void hold(std::size_t relaxation);
-  /// All follow at once but one relaxation, which answers a motion exp(rate t),
-  /// rate > 0 (1/s).
+  /// K of a motion exp(rate t), rate >= 0 (1/s), that only one relaxation
+  /// answers. About a relaxed state it is K_frozen - K_r/(1 + rate T_r).
   void flow(std::size_t relaxation, double rate);
   /// Norm of the antisymmetric part of the last tangent over that of the whole.
   double asymmetry() const
@@ -97,12 +93,11 @@ private:
   void make_mass();
   void make_unit_inertia();
   void find_relaxations();
-  /// The laws with other relaxation times, by relaxation.
+  /// The laws with other relaxation times (s), by relaxation.
   std::vector<fe::BatchLaw>
   make_laws(const std::vector<double>& relaxation_times) const;
   void assemble(double rate, const std::vector<fe::BatchLaw>& laws,
-                int held_circuit);
-  std::vector<double> make_times(double others) const;
+                const std::vector<bool>& held);
   unsigned int find_relaxation(double time) const;
 
   Structure& structure_;

@@ -25,16 +25,21 @@ struct DampedMode
 };
 
 /// The complex modes
-///   (s^2 M + s D + K_relaxed + sum of s T_r/(1 + s T_r) (K_r - K_relaxed)) phi
-/// next to given ones, on the space that all `frozen` and `relaxed` modes span.
-/// About a relaxed state this K(s) is exact for networks that flow in all
-/// directions: there their evolution is d(A - C^{-1})/dt = -(A - C^{-1})/T at
-/// fixed strain, whatever the spring. Networks of a held width relax at another
-/// rate, which is measured at each mode. About a state that still relaxes, its
-/// drift is left out. Collective. Errors as Vibration and
+///   (s^2 M + s D + K_frozen - sum over r of K_r/(1 + s T_r)) phi = 0
+/// next to `modes`, on the space that they and `others` span: Galerkin's
+/// method, whose error is of the square of what the space lacks of phi.
+///
+/// About a relaxed state (`at_rest`) this K(s) is exact for networks that flow
+/// in all directions: at fixed strain their evolution is there
+/// d(A - C^{-1})/dt = -(A - C^{-1})/T, whatever the spring. Networks of a held
+/// width relax at another rate, which is measured at each mode. About a state
+/// that still relaxes, K_r is what the relaxation takes from the stiffness of a
+/// motion exp(omega t), times 1 + omega T_r: right where omega T_r is large.
+/// Leaves the tangent frozen. Collective. Errors as Vibration and
 /// time::find_damped_rate.
 std::vector<DampedMode>
 compute_damped_modes(Vibration& vibration,
-                     const std::vector<time::VibrationMode>& frozen,
-                     const std::vector<time::VibrationMode>& relaxed);
+                     const std::vector<time::VibrationMode>& modes,
+                     const std::vector<time::VibrationMode>& others,
+                     bool at_rest = true);
 } // namespace taut::structure

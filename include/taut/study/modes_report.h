@@ -45,8 +45,9 @@ struct ModesReport
   double time = 0; ///< of the state (s)
   std::vector<Mode> modes;
   std::vector<ModesRelaxation> relaxations;
-  /// Whether no small motion leaves the state for good: all squares of the
-  /// relaxed stiffness are positive or zero.
+  /// Whether no small motion leaves the state for good: no square of the
+  /// relaxed stiffness is negative. Where networks still relax, of the frozen
+  /// one.
   bool stable = true;
   /// Lowest squares with all networks following and with none (1/s^2), and how
   /// many are negative.
