@@ -4,7 +4,7 @@ is what `taut render` calls.
 
 Writes into DIR/pictures (or --output) still_*.png, with --animation also
 animation.mp4 (animation.webp without ffmpeg), and pictures.json, which says what
-they show; and DIR/paraview.py, a script that shows the same in ParaView.
+they show; and DIR/open_in_paraview.py, a script that shows the same in ParaView.
 """
 
 import argparse

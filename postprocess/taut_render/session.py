@@ -1,8 +1,8 @@
-"""Writes DIR/paraview.py, which shows in ParaView what the pictures show."""
+"""Writes DIR/open_in_paraview.py, which shows in ParaView what the pictures show."""
 
 from pathlib import Path
 
-HEAD = '''"""Shows this run in ParaView: `paraview --script=paraview.py`, or in its Python
+HEAD = '''"""Shows this run in ParaView: `paraview --script=open_in_paraview.py`, or in its Python
 shell Run Script; also by pvpython and pvbatch."""
 
 import os
@@ -42,7 +42,7 @@ def write_session(folder, field, limits, is_modes):
                 "mode_scale": 1.0 if is_modes else 0.0}
     # The docstring of the macro is about macros.
     body = macro.read_text(encoding="utf-8").split('"""', 2)[2].lstrip()
-    file = folder / "paraview.py"
+    file = folder / "open_in_paraview.py"
     file.write_text(HEAD.format(settings=settings) + body + TAIL,
                     encoding="utf-8")
     return file
