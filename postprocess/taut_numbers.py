@@ -11,6 +11,11 @@ PREFIXED = ("m", "s", "Hz", "N", "Pa", "J", "V", "A", "C", "W", "F", "Ohm",
             "V/m", "V/s", "m/s", "N m", "N/m", "A/m")
 
 
+def write_unit(unit):
+    """kg/m³ for kg/m^3."""
+    return unit.replace("^2", "²").replace("^3", "³").replace("^4", "⁴")
+
+
 @dataclass
 class Scale:
     """What a number is multiplied with, and the unit it then has."""
@@ -34,7 +39,7 @@ def choose_scale(unit, values):
 
 
 def make_label(name, unit):
-    return f"{name} ({unit})" if unit else name
+    return f"{name} ({write_unit(unit)})" if unit else name
 
 
 def find_step(low, high, count):
@@ -91,4 +96,4 @@ def format_quantity(value, unit, digits=4):
         return format_number(value)
     scale = choose_scale(unit, [value])
     text = format_number(value * scale.factor, digits)
-    return f"{text} {scale.unit}" if scale.unit else text
+    return f"{text} {write_unit(scale.unit)}" if scale.unit else text

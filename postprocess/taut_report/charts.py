@@ -8,11 +8,12 @@ import taut_numbers as numbers
 
 from .markup import Markup, tag
 
-WIDTH, HEIGHT = 380, 236
-LEFT, RIGHT, TOP, BOTTOM = 52, 14, 10, 40
+WIDTH, HEIGHT = 330, 214
+LEFT, RIGHT, TOP, BOTTOM = 50, 12, 10, 42
 # As many columns of pixels; each keeps its extremes.
-BUCKETS = 320
-DASHES = [None, "6 3", "2 3", "9 3 2 3", "12 4", "1 4", "4 2"]
+BUCKETS = 280
+# The first two differ in brightness, too.
+DASHES = [None, None, "5 2", "8 2 2 2", "2 2", "12 3", "1 3"]
 N_COLOURS = len(DASHES)
 
 

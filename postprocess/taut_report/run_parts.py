@@ -80,6 +80,23 @@ def group_changes(changed):
     return groups
 
 
+def is_number(text):
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
+
+
+def make_parameter_row(key, values, known):
+    """The unit behind numbers; in words such as table(0: 0) it is clear."""
+    value, default = values.get("value", ""), values.get("default", "")
+    unit = numbers.write_unit(known.unit) if known else ""
+    is_plain = all(map(is_number, value.split(",")))
+    return tag("tr", tag("th", key, scope="row"),
+               tag("td", f"{value} {unit}" if unit and is_plain else value),
+               tag("td", default, class_="default"))
+
+
 def make_parameters(results):
     changed = results.summary.get("parameters_changed") or {}
     if not changed:
@@ -88,22 +105,18 @@ def make_parameters(results):
     for head, entries in group_changes(changed).items():
         if head:
             rows.append(tag("tr", tag("th", head.replace("/", " › "),
-                                      colspan=4, scope="colgroup"),
+                                      colspan=3, scope="colgroup"),
                             class_="group"))
-        for key, path, values in entries:
-            known = results.parameters.get(path)
-            rows.append(tag(
-                "tr", tag("th", key, scope="row"),
-                tag("td", values.get("value", "")),
-                tag("td", known.unit if known else ""),
-                tag("td", values.get("default", "") or "–")))
-    head = tag("tr", [tag("th", word, scope="col") for word in
-                      ("Parameter", "Value", "Unit", "Default")])
+        rows += [make_parameter_row(key, values, results.parameters.get(path))
+                 for key, path, values in entries]
+    head = tag("tr", [tag("th", word, scope="col")
+                      for word in ("Parameter", "Value", "Default")])
     caption = "Parameters that differ from their defaults"
     return section("parameters", "Parameters", tag(
         "div", tag("table", tag("caption", caption), tag("thead", head),
                    tag("tbody", rows)),
-        class_="scroll", tabindex="0", role="region", aria_label=caption))
+        class_="scroll stack", tabindex="0", role="region",
+        aria_label=caption))
 
 
 def make_notes(results):

@@ -17,5 +17,7 @@ using Action = std::function<int(MPI_Comm)>;
 void add_check(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);
 void add_describe(CLI::App& program, Action& chosen);
+void add_render(CLI::App& program, Action& chosen);
+void add_report(CLI::App& program, Action& chosen);
 void add_run(CLI::App& program, Action& chosen);
 } // namespace taut::app
