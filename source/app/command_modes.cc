@@ -50,92 +50,14 @@ int get_modes_code(const study::RunSummary& summary)
   }
 }
 
-/// The modes as lines for the user.
-std::string describe(const study::ModesReport& report)
-{
-  std::string text = fmt::format(
-      "modes about the state at t = {:.6g} s, which is {}:", report.time,
-      report.stable ? "stable" : "unstable");
-  for (std::size_t i = 0; i < report.modes.size(); ++i)
-  {
-    const auto& mode = report.modes[i];
-    text += fmt::format("\n{:4}  {:12.6g} Hz", i + 1, mode.frequency());
-    if (mode.square < 0)
-      text += fmt::format("  unstable, omega^2 = {:.6g} 1/s^2", mode.square);
-    if (std::abs(mode.damping_ratio) > 1e-9)
-      text += fmt::format("  damping ratio {:.3g}", mode.damping_ratio);
-  }
-  return text;
-}
-
-study::RunSummary find_modes(const io::CaseFile& case_file,
-                             const io::OutputFolder& folder,
-                             io::FilmModel* model, io::FolderOutput& output)
-{
-  const study::Case& content = case_file.content;
-  if (!model)
-    return study::run_lumped_modes(content, output);
-  model->adapt(content);
-  return study::run_film_modes(content, model->structure(), output,
-                               [&](const study::ModeShapes& shapes)
-                               { io::write_mode_shapes(folder.path, shapes); });
-}
-
 int run_modes(const ModesArguments& arguments, const MPI_Comm communicator)
 {
-  using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
-  const io::OutputFolder folder = get_modes_folder(arguments);
   const auto use =
       arguments.overwrite ? io::FolderUse::replace : io::FolderUse::fresh;
-  const io::CaseFile case_file =
-      io::read_case_file(arguments.case_file, arguments.overrides);
-  const auto on_first = [&](const auto& function)
-  {
-    io::on_first_rank(communicator,
-                      [&]
-                      {
-                        function();
-                        return true;
-                      });
-  };
-  on_first([&] { io::check_folder(folder, use); });
-  std::unique_ptr<io::FilmModel> model;
-  if (case_file.content.model == "film")
-    model = std::make_unique<io::FilmModel>(case_file.content, communicator);
-  on_first([&] { io::prepare_folder(folder, use); });
-  io::FolderOutput output(folder, case_file, communicator);
-  io::catch_interrupts();
-  study::RunSummary summary;
-  try
-  {
-    summary = io::name_case_in_errors(
-        case_file.content,
-        [&] { return find_modes(case_file, folder, model.get(), output); });
-  }
-  catch (const SolverFailed& error)
-  {
-    summary.status = study::Status::failed;
-    summary.reason = error.what();
-  }
-  catch (const StepRejected& error)
-  {
-    summary.status = study::Status::failed;
-    summary.reason = error.what();
-  }
-  summary.timings["total"] =
-      std::chrono::duration<double>(Clock::now() - began).count();
-  if (summary.modes)
-  {
-    on_first(
-        [&]
-        { io::write_mode_table(folder.get("modes.csv"), *summary.modes); });
-    output.say(describe(*summary.modes));
-  }
-  for (const std::string& note : summary.notes)
-    output.say("note: " + note);
-  output.finish(summary);
-  return get_modes_code(summary);
+  return get_modes_code(run_case(
+      io::read_case_file(arguments.case_file, arguments.overrides), Task::modes,
+      get_modes_folder(arguments), use, communicator, began));
 }
 } // namespace
 

@@ -40,6 +40,8 @@ int call(const int argc, char** argv, const MPI_Comm communicator)
   add_study(program, chosen);
   add_work(program, chosen);
   add_compare(program, chosen);
+  add_render(program, chosen);
+  add_report(program, chosen);
   add_check(program, chosen);
   add_describe(program, chosen);
   try
