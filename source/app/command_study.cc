@@ -84,8 +84,8 @@ int study(const StudyArguments& arguments, const MPI_Comm communicator)
   std::vector<io::StudyFile> studies;
   for (const std::string& file : arguments.study_files)
     studies.push_back(io::read_study_file(file, arguments.overrides));
-    if (!arguments.dry_run)
-      return run_all(arguments, studies);
+  if (!arguments.dry_run)
+    return run_all(arguments, studies);
   for (const io::StudyFile& file : studies)
     list_cases(file);
   return done;
