@@ -41,7 +41,8 @@ TEST(Geometries, resonator_is_the_stretched_film)
 
 TEST(Geometries, resonator_leaves_a_margin_round_its_electrode)
 {
-  // The bar ends inside of the electrode, at its edge, outside of it, at the frame.
+  // The bar ends inside of the electrode, at its edge, outside of it, at the
+  // frame.
   for (const double gap : {12e-3, 5e-3, 2e-3, 0.})
   {
     const auto mesh =
