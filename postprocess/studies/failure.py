@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Plots of the studies clamped_failure.prm and clamped_margin.prm: first wrinkles
-and breakdown of the clamped resonator next to the lumped one.
+"""Plots of the studies clamped_failure.prm, clamped_margin.prm and
+bonded_failure.prm: first wrinkles and largest field next to the lumped models.
 
 Usage: failure.py FOLDER   (of the study)
 Writes failure.csv (voltage, field and place of the first wrinkles by case) and
@@ -16,8 +16,10 @@ import study_table as table
 from study_table import plots
 from taut_plots import plt
 
-# Of prm/studies/clamped_ramp.prm (V/m).
-STRENGTH = 75e6
+# Of clamped_ramp.prm and bonded_ramp.prm (V/m).
+STRENGTHS = {False: 75e6, True: 25e6}
+# Of bonded_ramp.prm: voltage (V) at which V/H sqrt(eps/mu) = 1 without stretch.
+UNIT_VOLTAGE = 5000 / 0.3
 MARKERS = ["o", "s", "D", "^"]
 
 
@@ -32,15 +34,19 @@ def read_place(folder, row, event):
     return None
 
 
-def get_field(history):
+def is_bonded(row):
+    return "stretch" in row
+
+
+def get_field(history, strength):
     """Exceeded in the event's share of the film."""
-    return [STRENGTH * (1 - margin) for margin in history["margin breakdown"]]
+    return [strength * (1 - margin) for margin in history["margin breakdown"]]
 
 
 def complete(folder, row):
     """Adds what the history holds between its rows."""
     history = table.read_history(folder, row)
-    history["field"] = get_field(history)
+    history["field"] = get_field(history, STRENGTHS[is_bonded(row)])
     wrinkled = table.find_crossing(history, history["margin first wrinkles"])
     broken = table.find_crossing(history, history["margin breakdown"])
     nowhere = dict.fromkeys(history, math.nan)
@@ -55,14 +61,15 @@ def write_table(rows, variables, file):
     with open(file, "w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream)
         writer.writerow(variables + [
-            "first wrinkles [kV]", "bar displacement [mm]", "field [MV/m]",
-            "75 MV/m at [kV]", "film", "x [m]", "y [m]"])
+            "first wrinkles [kV]", "field [MV/m]", "breakdown at [kV]",
+            "bar displacement [mm]", "film", "x [m]", "y [m]"])
         for row in rows:
             at = row["wrinkled"]
             writer.writerow(
                 [f"{row[name]:g}" for name in variables]
-                + [f"{at['time']:.3f}", f"{1e3 * at['bar displacement']:.2f}",
-                   f"{at['field'] / 1e6:.1f}", f"{row['broken']['time']:.3f}"]
+                + [f"{at['time']:.3f}", f"{at['field'] / 1e6:.1f}",
+                   f"{row['broken']['time']:.3f}",
+                   f"{1e3 * at.get('bar displacement', math.nan):.2f}"]
                 + list(row["place"]))
 
 
@@ -170,17 +177,58 @@ def draw_margin(rows):
     return figure
 
 
+def compute_uniform(stretch):
+    """Voltage (V) at which the film of a flat DEMES, as wide as before it was
+    stretched, has no tension across left: mu (1 - l^-2) is eps E^2 and the part
+    of a permittivity that falls with the stretch."""
+    x = stretch - 1
+    law = 1 - 0.1658 * x + 0.04086 * x ** 2 - 0.00302754 * x ** 3
+    slope = -0.1658 + 0.08172 * x - 0.00908262 * x ** 2
+    return UNIT_VOLTAGE * math.sqrt((1 - stretch ** -2)
+                                    / (stretch ** 2 * (law + slope / 2)))
+
+
+def draw_bonded(rows):
+    figure, axes = plt.subplots(1, 2, figsize=(6.2, 2.8), sharey=True,
+                                layout="constrained")
+    stretches = sorted({row["stretch"] for row in rows})
+    for stretch, colour, marker in zip(stretches, plots.COLOURS, MARKERS):
+        chosen = choose(rows, stretch=stretch)
+        style = {"color": colour, "marker": marker, "label": f"{stretch:g}"}
+        for panel, name in zip(axes, ("wrinkled", "broken")):
+            draw_series(panel, chosen, "width",
+                        lambda row: row[name]["time"], style)
+        axes[0].axhline(compute_uniform(stretch) / 1e3, color=colour,
+                        linestyle="--", linewidth=0.9)
+    for panel in axes:
+        panel.set_xscale("log")
+        panel.set_xticks([0.7, 1, 1.5, 2.5], ["0.7", "1", "1.5", "2.5"])
+        panel.minorticks_off()
+        panel.set_xlabel("Width of the legs/that of K_bb = 1")
+    axes[0].set_ylim(0, None)
+    axes[0].set_ylabel("Voltage (kV)")
+    axes[0].set_title("First wrinkles;\ndashed: flat, uniform film",
+                      loc="left")
+    axes[1].set_title("Field of 25 MV/m reached;\nrings: coarse mesh",
+                      loc="left")
+    axes[1].legend(frameon=False, title="pre-stretch", ncol=3)
+    return figure
+
+
 def main():
     if len(sys.argv) != 2:
         raise SystemExit(__doc__)
     folder = Path(sys.argv[1])
     rows = [complete(folder, row) for row in table.read_study(folder)]
+    if is_bonded(rows[0]):
+        variables, draw = ["stretch", "width"], draw_bonded
+    elif "gap" in rows[0]:
+        variables, draw = ["margin", "gap"], draw_margin
+    else:
+        variables, draw = ["ratio", "p1", "p2"], draw_failure
     plots.set_style()
-    is_margin = "gap" in rows[0]
-    variables = (["margin", "gap"] if is_margin else ["ratio", "p1", "p2"])
     write_table(rows, variables + ["refined"], folder / "failure.csv")
-    plots.save(draw_margin(rows) if is_margin else draw_failure(rows),
-               folder / "failure")
+    plots.save(draw(rows), folder / "failure")
 
 
 if __name__ == "__main__":

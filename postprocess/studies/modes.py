@@ -56,20 +56,27 @@ def collect_demes(voltages, cases):
         series["ends together"].append(together["frequency"])
         series["ends in opposition"].append(opposite["frequency"])
         for mode in modes[2:6]:
-            series.setdefault(f"mode {mode['mode']:.0f}", []).append(
-                mode["frequency"])
+            name = f"modes {mode['mode']:.0f} and up"
+            series.setdefault(name, []).append(mode["frequency"])
     return series
 
 
-def draw(voltages, series):
-    figure, axes = plt.subplots(1, 2, figsize=(6.8, 3.1),
+def draw(voltages, series, n_followed):
+    """All frequencies; of the modes that are followed through crossings, also
+    what the voltage leaves of their stiffness."""
+    figure, axes = plt.subplots(1, 2, figsize=(6.8, 2.9),
                                 layout="constrained")
-    for (name, values), colour, marker in zip(series.items(), plots.COLOURS,
-                                              MARKERS):
-        style = {"color": colour, "marker": marker, "markersize": 3.5}
-        axes[0].plot(voltages, values, label=name, **style)
-        axes[1].plot(voltages, [(value / values[0]) ** 2 for value in values],
-                     **style)
+    for place, (name, values) in enumerate(series.items()):
+        followed = place < n_followed
+        style = {"color": plots.COLOURS[place] if followed else plots.GREY,
+                 "marker": MARKERS[place] if followed else ".",
+                 "markersize": 3.5}
+        first = place <= n_followed
+        axes[0].plot(voltages, values, label=name if first else None, **style)
+        if followed:
+            axes[1].plot(voltages,
+                         [(value / values[0]) ** 2 for value in values],
+                         **style)
     axes[0].set_yscale("log")
     low = min(min(values) for values in series.values())
     high = max(max(values) for values in series.values())
@@ -78,11 +85,11 @@ def draw(voltages, series):
     axes[0].set_yticks(ticks, [str(tick) for tick in ticks])
     axes[0].minorticks_off()
     axes[0].set_ylabel("Frequency (Hz)")
-    axes[1].set_ylabel("Stiffness of the mode/that without voltage")
+    axes[1].set_ylabel("(Frequency/that without voltage)²")
     for panel in axes:
         panel.set_xlabel("Voltage (kV)")
     figure.legend(*axes[0].get_legend_handles_labels(), frameon=False,
-                  loc="outside upper center", ncol=3)
+                  loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=3)
     return figure
 
 
@@ -90,14 +97,16 @@ def main():
     if len(sys.argv) != 2:
         raise SystemExit(__doc__)
     folder = Path(sys.argv[1])
+    # An unstable state has modes without a frequency.
     rows = [row for row in table.read_study(folder)
-            if row["status"] == "completed"]
+            if row["status"] == "completed" and row["lowest square"] > 0]
     voltages = [row["kilovolts"] for row in rows]
     cases = [read_modes(folder, row) for row in rows]
     is_demes = "angle" in rows[0]
     collect = collect_demes if is_demes else collect_resonator
     plots.set_style()
-    plots.save(draw(voltages, collect(voltages, cases)), folder / "modes")
+    plots.save(draw(voltages, collect(voltages, cases), 2 if is_demes else 5),
+               folder / "modes")
 
 
 if __name__ == "__main__":
