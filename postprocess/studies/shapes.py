@@ -1,13 +1,11 @@
 #!/usr/bin/env python3
-"""One sheet of the pictures that `taut render` has drawn of a run.
+"""One sheet of pictures that `taut render` has drawn.
 
-Usage: shapes.py FOLDER OUTPUT.png COLUMNS [FIRST LAST]
-FOLDER holds `pictures`; FIRST and LAST are numbers of pictures, from 0. The
-colour bars below are cut off but for that of the last row.
+Usage: shapes.py [--bars] OUTPUT.png COLUMNS PICTURE.png...
+Colour bars are cut off but for those of the last row, or kept by --bars.
 """
 
-import sys
-from pathlib import Path
+import argparse
 
 from PIL import Image
 
@@ -17,10 +15,10 @@ WIDTH = 1300  # of the sheet, in pixels
 COLOURS = 256
 
 
-def compose(files, columns):
+def compose(files, columns, has_bars):
     pictures = [Image.open(file).convert("RGB") for file in files]
     wide, high = pictures[0].size
-    above = round(ABOVE_BAR * high)
+    above = high if has_bars else round(ABOVE_BAR * high)
     rows = -(-len(pictures) // columns)
     sheet = Image.new("RGB", (columns * wide, (rows - 1) * above + high),
                       "white")
@@ -34,17 +32,14 @@ def compose(files, columns):
 
 
 def main():
-    if len(sys.argv) not in (4, 6):
-        raise SystemExit(__doc__)
-    files = sorted((Path(sys.argv[1]) / "pictures").glob("still_*.png"))
-    if len(sys.argv) == 6:
-        files = files[int(sys.argv[4]):int(sys.argv[5]) + 1]
-    if not files:
-        raise SystemExit(f"no pictures in {sys.argv[1]}: call taut render "
-                         "first")
-    sheet = compose(files, int(sys.argv[3]))
-    sheet.quantize(COLOURS).save(sys.argv[2],
-                                optimize=True)
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--bars", action="store_true")
+    parser.add_argument("output")
+    parser.add_argument("columns", type=int)
+    parser.add_argument("pictures", nargs="+")
+    words = parser.parse_args()
+    sheet = compose(words.pictures, words.columns, words.bars)
+    sheet.quantize(COLOURS).save(words.output, optimize=True)
 
 
 if __name__ == "__main__":
