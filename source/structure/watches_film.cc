@@ -105,16 +105,15 @@ double FilmWatch::compute_margin(const double time, const double* state)
   return *std::min_element(margins.begin(), margins.end());
 }
 
-/// Index of this rank's point with the smallest margin; the number of all
-/// points if it has none of the films.
-std::size_t FilmWatch::find_worst(const std::vector<double>& margins) const
+std::size_t FilmWatch::find_worst(const std::vector<double>& margins,
+                                  const std::vector<std::size_t>& films) const
 {
   const fe::FilmCells& cells = system_.structure().cells();
   const unsigned int n = cells.element().n_nodes;
   std::size_t worst = margins.size();
   for (std::size_t point = 0; point < margins.size(); ++point)
-    if (std::count(films_.begin(), films_.end(),
-                   cells.cells()[point / n].film) > 0 &&
+    if (std::count(films.begin(), films.end(), cells.cells()[point / n].film) >
+            0 &&
         (worst == margins.size() || margins[point] < margins[worst]))
       worst = point;
   return worst;
@@ -130,11 +129,15 @@ EventReport FilmWatch::report(const double time, const double* state)
   // Films that differ by less fail together. Between the ends of a step across
   // the jump of stiffness where films wrinkle, equal ones differ by some 1e-6.
   constexpr double tie = 1e-4;
+  std::vector<std::size_t> failing;
   for (std::size_t i = 0; i < films_.size(); ++i)
     if (film_margins[i] <= report.margin + tie)
-      report.place += (report.place.empty() ? "" : " + ") +
-                      structure.device().films[films_[i]].name;
-  const std::size_t worst = find_worst(margins);
+      failing.push_back(films_[i]);
+  for (const std::size_t film : failing)
+    report.place += (report.place.empty() ? "" : " + ") +
+                    structure.device().films[film].name;
+  // Another film may have a worse point, but in a smaller share of it.
+  const std::size_t worst = find_worst(margins, failing);
   describe(worst, time, state, report);
   std::array<double, 9> found{std::numeric_limits<double>::infinity()};
   if (worst < margins.size())

@@ -27,7 +27,10 @@ protected:
 private:
   std::vector<double>
   compute_film_margins(const std::vector<double>& margins) const;
-  std::size_t find_worst(const std::vector<double>& margins) const;
+  /// Index of this rank's point of these films with the smallest margin; the
+  /// number of all points if it has none.
+  std::size_t find_worst(const std::vector<double>& margins,
+                         const std::vector<std::size_t>& films) const;
 
   /// The films it looks at.
   std::vector<std::size_t> films_;

@@ -87,8 +87,16 @@ class Studies(unittest.TestCase):
 
     def test_clamped_film_loses_tension_before_the_lumped_strips(self):
         failed, = self.run_study("clamped_failure", ratio="2", p1="2", p2="4",
-                                 refined="0")
+                                 refined="1")
         self.assertEqual(failed["status"], "event")
+        # The bare minimum is in the other strip, beyond the bar at 40 mm.
+        events = (self.folder / "clamped_failure" / failed["folder"]
+                  / "events.csv")
+        with open(events, newline="", encoding="utf-8") as stream:
+            wrinkles = [row for row in csv.DictReader(stream)
+                        if row["event"] == "first wrinkles"][0]
+        self.assertEqual(wrinkles["place"], "active")
+        self.assertLess(float(wrinkles["x [m]"]), .04)
         # V/H sqrt(eps/G) = 0.2239 is 6.94 kV.
         self.assertLess(float(failed["wrinkled at [s]"]), 6.94 - .5)
         # The bar has gone 30 mm there.
