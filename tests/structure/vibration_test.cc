@@ -92,9 +92,7 @@ TEST(Vibration, VoltageTakesTheFieldOutOfTheTension)
   device.electrodes = {
       testing::make_electrode("film", Signal::constant(voltage))};
   const auto with = find_membrane(device, 2, 3);
-  // eps E^2, E = V l_1 l_2/H: the same on both axes, so that the shapes of
-  // equal-tension modes would stay; here the first mode is of one element
-  // quadrature as well, and its Rayleigh quotient changes little.
+  // eps E^2, E = V l_1 l_2/H, in all directions.
   const double field = .2 * .2 * 2e4 * std::pow(stretches[0] * stretches[1], 2);
   auto stresses = compute_stresses(stretches);
   const double before = compute_membrane(stresses, 1)[0];
@@ -231,21 +229,27 @@ TEST(Vibration, ChargeStiffensWhatVoltageSoftens)
               1, 1e-6);
 }
 
+/// What a relaxation adds to the square of a fast frequency, and its time.
+struct Part
+{
+  double stiffness, time;
+};
+
 /// The root of s^2 + s d + w_r^2 + sum of k_m s T_m/(1 + s T_m) next to a
 /// guess (Newton's method).
 std::complex<double> find_root(const double relaxed,
-                               const std::array<double, 2>& parts,
+                               const std::vector<Part>& parts,
                                const double drag, std::complex<double> s)
 {
   for (unsigned int i = 0; i < 50; ++i)
   {
     std::complex<double> value = s * s + drag * s + relaxed,
                          slope = 2. * s + drag;
-    for (unsigned int m = 0; m < 2; ++m)
+    for (const Part& part : parts)
     {
-      const auto quotient = 1. + s * times[m];
-      value += parts[m] * s * times[m] / quotient;
-      slope += parts[m] * times[m] / (quotient * quotient);
+      const auto quotient = 1. + s * part.time;
+      value += part.stiffness * s * part.time / quotient;
+      slope += part.stiffness * part.time / (quotient * quotient);
     }
     s -= value / slope;
   }
@@ -262,14 +266,15 @@ TEST(Vibration, RelaxedResonatorIsAZenerOscillator)
     testing::Resting resonator(device, make_strips());
     const double l = get_stretch(resonator);
     const double frozen = compute_frequency(l, field, true);
-    std::array<double, 2> parts;
+    std::vector<Part> parts;
     double relaxed = frozen;
     for (unsigned int m = 0; m < 2; ++m)
     {
-      parts[m] = weights[m] *
-                 (4 / (l * l) + 4 / std::pow(2 * pre_1 - l, 2)) /
-                 compute_inertia();
-      relaxed -= parts[m];
+      parts.push_back({weights[m] *
+                           (4 / (l * l) + 4 / std::pow(2 * pre_1 - l, 2)) /
+                           compute_inertia(),
+                       times[m]});
+      relaxed -= parts[m].stiffness;
     }
     auto vibration = resonator.make_vibration();
     const auto modes = time::find_modes(vibration, {}).modes;
@@ -293,6 +298,108 @@ TEST(Vibration, RelaxedResonatorIsAZenerOscillator)
     EXPECT_NEAR(std::abs(damped[0].rate / root - 1.), 0, 1e-9);
     EXPECT_GT(damped[0].ratio(), .01);
   }
+}
+
+TEST(Vibration, CircuitRelaxesBetweenVoltageAndCharge)
+{
+  const double field = .12;
+  auto device = make_resonator(field);
+  device.films[0].material.networks.clear();
+  device.electrodes[0].control = structure::Electrode::Control::circuit;
+  const double l = get_stretch(*std::make_unique<testing::Resting>(
+      make_resonator(field), make_strips()));
+  const double unit = testing::make_voltage(device.films[0], 1, modulus);
+  const double capacitance =
+      modulus * side * side * thickness * std::pow(l * pre_2 / unit, 2);
+  // About one radian.
+  const double time = .02;
+  device.electrodes[0].series_resistance = time / capacitance;
+  testing::Resting resonator(device, make_strips());
+  EXPECT_NEAR(get_stretch(resonator), l, 1e-10);
+  auto vibration = resonator.make_vibration();
+  ASSERT_EQ(vibration.relaxations().size(), 1u);
+  EXPECT_NEAR(vibration.relaxations()[0].time / time, 1, 1e-9);
+  const auto modes = time::find_modes(vibration, {}).modes;
+  const auto damped = structure::compute_damped_modes(vibration, modes, {});
+  // As the spring alone, which is what is left of the networks.
+  const double by_voltage =
+      (share * compute_stiffness(l, 1, 1) +
+       share * compute_stiffness(2 * pre_1 - l, 1, 1) -
+       std::pow(field * pre_2, 2)) /
+      compute_inertia();
+  const Part circuit{4 * std::pow(field * pre_2, 2) / compute_inertia(), time};
+  EXPECT_NEAR(modes[0].square / (by_voltage + circuit.stiffness), 1, 1e-6);
+  const auto root = find_root(by_voltage, {circuit}, 0,
+                              {0, std::sqrt(modes[0].square)});
+  // Differences by the voltage make the border.
+  EXPECT_NEAR(std::abs(damped[0].rate / root - 1.), 0, 1e-6);
+  EXPECT_GT(damped[0].ratio(), .01);
+}
+
+TEST(Vibration, NetworksOfHeldWidthRelaxAtAnotherRate)
+{
+  // With the width held at 1, xi' = (xi/T) (l^2/xi^4 - l^-2) loses
+  // 4/(l^2 T) of a difference from its rest xi = l in a second (Wang et al.
+  // 2024, equation 23).
+  auto device = make_resonator(0);
+  device.electrodes.clear();
+  const double l = 1.5, time = .01;
+  auto& film = device.films[0];
+  film.pre_stretch = {l, 1};
+  film.material.springs = {material::NeoHookean{modulus}};
+  film.material.networks = {
+      {material::NeoHookean{modulus}, time, material::FlowLaw::held_width}};
+  testing::Resting resonator(device, testing::make_rectangle(2, 1, 1, .02 * l,
+                                                             .01));
+  auto vibration = resonator.make_vibration();
+  const auto modes = time::find_modes(vibration, {}).modes;
+  const auto damped = structure::compute_damped_modes(vibration, modes, {});
+  const double omega = std::sqrt(modes[0].square);
+  EXPECT_NEAR(damped[0].products[0] / (omega * time * l * l / 4), 1, 1e-9);
+}
+
+TEST(Vibration, EffectiveMassesOfAllModesAreTheMassThatMoves)
+{
+  auto device = make_resonator(.1);
+  device.mesh.degree = 2;
+  device.supports[2].held = {false, false, true};
+  testing::Resting resonator(device, testing::make_rectangle(
+                                         4, 2, 1, 4 * side, 4 * side));
+  auto vibration = resonator.make_vibration();
+  time::ModeOptions options;
+  options.count = 1000;
+  const auto modes = time::find_modes(vibration, options).modes;
+  for (unsigned int axis = 0; axis < 2; ++axis)
+  {
+    const auto& inertia = vibration.get_unit_inertia(axis);
+    double sum = 0;
+    for (const auto& mode : modes)
+      sum += std::pow(
+          vibration.multiply(mode.shape.data(), inertia.data()), 2);
+    // b . M^{-1} b, b the inertia of a unit acceleration.
+    std::vector<double> rest(inertia.size());
+    resonator.system().structure().solve_mass(inertia.data(), rest.data());
+    EXPECT_NEAR(sum / vibration.multiply(rest.data(), inertia.data()), 1, 1e-9);
+    EXPECT_LT(sum, vibration.total_mass());
+  }
+  EXPECT_NEAR(vibration.total_mass(),
+              bar_mass + 2 * density * side * side * thickness, 1e-12);
+}
+
+TEST(Vibration, PressureOnFreeEdgesIsNotSymmetric)
+{
+  structure::Device device;
+  device.mesh.degree = 2;
+  device.films = {testing::make_film(material::NeoHookean{1}, .1, {{2, 2}})};
+  device.supports = {testing::make_support("west", {{true, true, true}}),
+                     testing::make_support("east", {{true, true, true}})};
+  device.pressures = {testing::make_pressure("film", Signal::constant(.01))};
+  const auto mesh = testing::make_rectangle(2, 2, 1, 1, 1);
+  EXPECT_GT(testing::Resting(device, mesh).make_vibration().asymmetry(), 1e-6);
+  for (const char* edge : {"south", "north"})
+    device.supports.push_back(
+        testing::make_support(edge, {{true, true, true}}));
+  EXPECT_LT(testing::Resting(device, mesh).make_vibration().asymmetry(), 1e-12);
 }
 
 /// Roots of z tan z = 2 M/m of motions in which the bar takes part.
