@@ -128,8 +128,7 @@ int run_modes(const ModesArguments& arguments, const MPI_Comm communicator)
   if (summary.modes)
   {
     on_first(
-        [&]
-        { io::write_mode_table(folder.get("modes.csv"), *summary.modes); });
+        [&] { io::write_mode_table(folder.get("modes.csv"), *summary.modes); });
     output.say(describe(*summary.modes));
   }
   for (const std::string& note : summary.notes)

@@ -351,7 +351,8 @@ void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
   const Entry* model = text.find({}, "Model");
   if (model && model->value == "demes")
     declare_lumped_demes(all, content.lumped_demes);
-  for (const char* kind : {"Procedure", "Output", "Checkpoint", "Modes", "Comparison"})
+  for (const char* kind :
+       {"Procedure", "Output", "Checkpoint", "Modes", "Comparison"})
     all.allow_section({}, kind, false);
   all.allow_section({"Procedure"}, "Integrator", false);
   declare_procedure(all.section({"Procedure"}, "what is done with the device"),

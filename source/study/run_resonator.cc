@@ -77,7 +77,7 @@ void report(const Case& run_case, const lumped::ResonatorRun& run,
 RunSummary run_resonator(const Case& run_case, RunOutput& output)
 {
   return visit_resonator(run_case, output,
-                     [](const lumped::ResonatorRun&, RunSummary&) {});
+                         [](const lumped::ResonatorRun&, RunSummary&) {});
 }
 
 RunSummary visit_resonator(

@@ -59,8 +59,8 @@ std::vector<double> find_membrane(const structure::Device& device,
                                   const unsigned int n,
                                   const unsigned int count)
 {
-  return testing::Resting(device, testing::make_rectangle(3 * n, 2 * n, 1,
-                                                          length, width))
+  return testing::Resting(
+             device, testing::make_rectangle(3 * n, 2 * n, 1, length, width))
       .find_squares(count);
 }
 
@@ -146,8 +146,7 @@ fe::MeshData make_strips(const unsigned int cells = 1)
 /// 1/alpha of (3.15) with k = 1 (s^2).
 double compute_inertia()
 {
-  return (2 * density * side * side / 3 + bar_mass / thickness) /
-         modulus;
+  return (2 * density * side * side / 3 + bar_mass / thickness) / modulus;
 }
 
 /// dD s_1/d lambda_1 of a Gent network with inner stretches, (3.29).
@@ -181,8 +180,7 @@ double compute_frequency(const double l1, const double field,
       sum += weight * (relaxed ? 4 / (l * l) : compute_stiffness(l, 1, 1));
     return sum;
   };
-  return (strip(l1) + strip(2 * pre_1 - l1) -
-          std::pow(field * pre_2, 2)) /
+  return (strip(l1) + strip(2 * pre_1 - l1) - std::pow(field * pre_2, 2)) /
          compute_inertia();
 }
 
@@ -211,11 +209,10 @@ TEST(Vibration, ChargeStiffensWhatVoltageSoftens)
   const auto loads = by_voltage.system().loads_at(0, by_voltage.state().data());
   structure.compute_positions(loads, by_voltage.state().data());
   std::vector<double> forces(structure.n_free());
-  structure.compute_forces(loads, by_voltage.state().data(),
-                           by_voltage.system().internal(
-                               by_voltage.state().data()),
-                           structure::Networks::as_given, forces.data(),
-                           nullptr);
+  structure.compute_forces(
+      loads, by_voltage.state().data(),
+      by_voltage.system().internal(by_voltage.state().data()),
+      structure::Networks::as_given, forces.data(), nullptr);
   device.electrodes[0].control = structure::Electrode::Control::charge;
   device.electrodes[0].voltage = Signal();
   device.electrodes[0].charge =
@@ -270,10 +267,10 @@ TEST(Vibration, RelaxedResonatorIsAZenerOscillator)
     double relaxed = frozen;
     for (unsigned int m = 0; m < 2; ++m)
     {
-      parts.push_back({weights[m] *
-                           (4 / (l * l) + 4 / std::pow(2 * pre_1 - l, 2)) /
-                           compute_inertia(),
-                       times[m]});
+      parts.push_back(
+          {weights[m] * (4 / (l * l) + 4 / std::pow(2 * pre_1 - l, 2)) /
+               compute_inertia(),
+           times[m]});
       relaxed -= parts[m].stiffness;
     }
     auto vibration = resonator.make_vibration();
@@ -282,8 +279,7 @@ TEST(Vibration, RelaxedResonatorIsAZenerOscillator)
     const auto slow = time::find_modes(vibration, {}).modes;
     ASSERT_EQ(slow.size(), 1u);
     EXPECT_NEAR(slow[0].square / relaxed, 1, 1e-10);
-    const auto damped =
-        structure::compute_damped_modes(vibration, modes, slow);
+    const auto damped = structure::compute_damped_modes(vibration, modes, slow);
     const double omega = std::sqrt(frozen);
     ASSERT_EQ(damped.size(), 1u);
     ASSERT_EQ(damped[0].products.size(), 2u);
@@ -322,15 +318,14 @@ TEST(Vibration, CircuitRelaxesBetweenVoltageAndCharge)
   const auto modes = time::find_modes(vibration, {}).modes;
   const auto damped = structure::compute_damped_modes(vibration, modes, {});
   // As the spring alone, which is what is left of the networks.
-  const double by_voltage =
-      (share * compute_stiffness(l, 1, 1) +
-       share * compute_stiffness(2 * pre_1 - l, 1, 1) -
-       std::pow(field * pre_2, 2)) /
-      compute_inertia();
+  const double by_voltage = (share * compute_stiffness(l, 1, 1) +
+                             share * compute_stiffness(2 * pre_1 - l, 1, 1) -
+                             std::pow(field * pre_2, 2)) /
+                            compute_inertia();
   const Part circuit{4 * std::pow(field * pre_2, 2) / compute_inertia(), time};
   EXPECT_NEAR(modes[0].square / (by_voltage + circuit.stiffness), 1, 1e-6);
-  const auto root = find_root(by_voltage, {circuit}, 0,
-                              {0, std::sqrt(modes[0].square)});
+  const auto root =
+      find_root(by_voltage, {circuit}, 0, {0, std::sqrt(modes[0].square)});
   // Differences by the voltage make the border.
   EXPECT_NEAR(std::abs(damped[0].rate / root - 1.), 0, 1e-6);
   EXPECT_GT(damped[0].ratio(), .01);
@@ -349,8 +344,8 @@ TEST(Vibration, NetworksOfHeldWidthRelaxAtAnotherRate)
   film.material.springs = {material::NeoHookean{modulus}};
   film.material.networks = {
       {material::NeoHookean{modulus}, time, material::FlowLaw::held_width}};
-  testing::Resting resonator(device, testing::make_rectangle(2, 1, 1, .02 * l,
-                                                             .01));
+  testing::Resting resonator(device,
+                             testing::make_rectangle(2, 1, 1, .02 * l, .01));
   auto vibration = resonator.make_vibration();
   const auto modes = time::find_modes(vibration, {}).modes;
   const auto damped = structure::compute_damped_modes(vibration, modes, {});
@@ -363,8 +358,8 @@ TEST(Vibration, EffectiveMassesOfAllModesAreTheMassThatMoves)
   auto device = make_resonator(.1);
   device.mesh.degree = 2;
   device.supports[2].held = {false, false, true};
-  testing::Resting resonator(device, testing::make_rectangle(
-                                         4, 2, 1, 4 * side, 4 * side));
+  testing::Resting resonator(
+      device, testing::make_rectangle(4, 2, 1, 4 * side, 4 * side));
   auto vibration = resonator.make_vibration();
   time::ModeOptions options;
   options.count = 1000;
@@ -374,8 +369,7 @@ TEST(Vibration, EffectiveMassesOfAllModesAreTheMassThatMoves)
     const auto& inertia = vibration.get_unit_inertia(axis);
     double sum = 0;
     for (const auto& mode : modes)
-      sum += std::pow(
-          vibration.multiply(mode.shape.data(), inertia.data()), 2);
+      sum += std::pow(vibration.multiply(mode.shape.data(), inertia.data()), 2);
     // b . M^{-1} b, b the inertia of a unit acceleration.
     std::vector<double> rest(inertia.size());
     resonator.system().structure().solve_mass(inertia.data(), rest.data());
@@ -423,9 +417,9 @@ TEST(Vibration, ManyElementsCarryWavesInTheStrips)
   testing::Resting resonator(device, make_strips(12));
   const auto squares = resonator.find_squares(3);
   // Symmetric strips: k = 1, V = 0, both waves at c^2 = G S'/rho.
-  const double stiffness =
-      modulus / density *
-      (share * compute_stiffness(pre_1, 1, 1) + (1 - share) * 4 / pre_1 / pre_1);
+  const double stiffness = modulus / density *
+                           (share * compute_stiffness(pre_1, 1, 1) +
+                            (1 - share) * 4 / pre_1 / pre_1);
   const double unit = stiffness / (side * side);
   EXPECT_NEAR(squares[0] / unit / std::pow(find_wave(2, .1, 1.5), 2), 1, 1e-6);
   // With the bar at rest.

@@ -39,9 +39,9 @@ void expect_quarter_periods(const structure::Device& device,
   for (const auto& mode : modes)
   {
     const double omega = std::sqrt(mode.square);
-    const double size = amplitude / vibration.compute_largest(
-                                        vibration.compute_motion(
-                                            mode.shape.data()));
+    const double size =
+        amplitude /
+        vibration.compute_largest(vibration.compute_motion(mode.shape.data()));
     auto state = rest;
     for (std::size_t i = 0; i < n; ++i)
       state[n + i] = size * omega * mode.shape[i];
@@ -64,9 +64,9 @@ void expect_quarter_periods(const structure::Device& device,
         << "at " << omega << " rad/s";
     vibration.multiply_mass(displacement.data(), inertia.data());
     // Nothing went into other motions.
-    EXPECT_NEAR(
-        vibration.multiply(displacement.data(), inertia.data()) / size / size,
-        1, tolerance);
+    EXPECT_NEAR(vibration.multiply(displacement.data(), inertia.data()) / size /
+                    size,
+                1, tolerance);
   }
 }
 

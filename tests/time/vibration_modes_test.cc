@@ -153,8 +153,8 @@ TEST(DampedModes, OscillatorWithADamper)
   const double omega = 30;
   for (const double zeta : {0., .1, .7})
   {
-    const auto rate = find_damped_rate(
-        {1, {omega * omega}, {2 * zeta * omega}, {}}, {1.});
+    const auto rate =
+        find_damped_rate({1, {omega * omega}, {2 * zeta * omega}, {}}, {1.});
     EXPECT_NEAR(rate.real(), -zeta * omega, 1e-10 * omega);
     EXPECT_NEAR(rate.imag(), omega * std::sqrt(1 - zeta * zeta), 1e-10 * omega);
   }

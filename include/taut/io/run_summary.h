@@ -26,8 +26,9 @@ Machine measure_machine(MPI_Comm communicator);
 /// column of history.csv), counters, timings (s), energy_balance (absolute in J
 /// and relative), modes (of `taut modes`: time of the state, stable, lowest
 /// squares of angular frequencies and number of negative ones with relaxed and
-/// frozen networks, and lists by mode), peak_memory_bytes, ranks, versions, parameters_changed
-/// (default and value by path). A number that is none is null.
+/// frozen networks, and lists by mode), peak_memory_bytes, ranks, versions,
+/// parameters_changed (default and value by path). A number that is none is
+/// null.
 std::string make_run_json(const study::RunSummary& summary,
                           const Machine& machine,
                           const std::vector<ChangedParameter>& changed);
