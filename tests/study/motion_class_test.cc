@@ -65,6 +65,29 @@ TEST(MotionClass, DecayThatIsStillSeenIsATransient)
             MotionClass::transient);
 }
 
+TEST(MotionClass, SpiralIntoAPointHasNoPeriodOfItsOwn)
+{
+  // What is left of the transient, 2e-3, turns by a fifth of a circle a period:
+  // in the second half of the section every fifth point repeats within 1e-3,
+  // the others do not; but all of them approach each other.
+  constexpr double decay = 0.01, turn = 0.2;
+  const auto track = taut::testing::sample(
+      200, 8000,
+      [=](const double t)
+      {
+        return std::cos(2 * pi * t) +
+               2e-3 * std::exp(-decay * t) * std::cos(2 * pi * turn * t);
+      },
+      [=](const double t)
+      {
+        return -2 * pi * std::sin(2 * pi * t) -
+               2e-3 * std::exp(-decay * t) *
+                   (decay * std::cos(2 * pi * turn * t) +
+                    2 * pi * turn * std::sin(2 * pi * turn * t));
+      });
+  EXPECT_EQ(classify(track, 1, 0).motion_class, MotionClass::transient);
+}
+
 TEST(MotionClass, DuffingOscillatorHasItsKnownPeriods)
 {
   const std::pair<double, unsigned int> known[] = {

@@ -183,13 +183,26 @@ TEST(Response, OfAResonatorIsProportionalToASmallDrive)
   EXPECT_GT(one.first_amplitude, 0);
   // The next part goes with the cube of 40 V over 2 kV.
   EXPECT_NEAR(two.first_amplitude / one.first_amplitude, 2, 2e-3);
-  // Far beyond what the film stands the device fails: no numbers, and a note.
-  response.offset = 1e6;
-  Records records;
-  const auto failed = run_response(run_case, records);
-  EXPECT_TRUE(std::isnan(failed.tables.at("response").rows.at(0).at(5)));
-  ASSERT_EQ(failed.notes.size(), 1u);
-  EXPECT_NE(failed.notes[0].find("fails"), std::string::npos);
+}
+
+TEST(Response, OfAFailingResonatorHasNoNumbersButANote)
+{
+  Case run_case = taut::testing::make_lumped_resonator_case();
+  run_case.procedure.analysis = structure::Analysis::frequency_response;
+  auto& response = run_case.procedure.frequency_response;
+  response.from = response.to = 4;
+  response.points = 1;
+  // On the way, then already at the start.
+  for (const double offset : {5000., 1e6})
+  {
+    response.offset = offset;
+    response.amplitude = 30e3;
+    Records records;
+    const auto failed = run_response(run_case, records);
+    EXPECT_TRUE(std::isnan(failed.tables.at("response").rows.at(0).at(5)));
+    ASSERT_EQ(failed.notes.size(), 1u);
+    EXPECT_NE(failed.notes[0].find("fails"), std::string::npos);
+  }
 }
 
 TEST(Response, FrequenciesAreSpaced)
