@@ -78,10 +78,11 @@ lumped::ResonatorRun run_lumped(const LumpedResonatorDescription& device,
                                 const ProcedureDescription& procedure,
                                 const std::vector<double>& output_times)
 {
-  if (procedure.analysis == structure::Analysis::equilibrium ||
-      procedure.analysis == structure::Analysis::continuation)
+  if (procedure.analysis != structure::Analysis::quasi_static &&
+      procedure.analysis != structure::Analysis::transient)
     throw BadInput("the lumped resonator has no static analysis; "
-                   "'quasi-static' and 'transient' are allowed");
+                   "'quasi-static', 'transient' and 'frequency response' are "
+                   "allowed");
   const auto resonator = lumped::make_resonator(make_resonator_si(device));
   lumped::ResonatorRunOptions options;
   options.start_time = procedure.start_time;

@@ -62,7 +62,8 @@ lumped::DemesRun run_lumped(const LumpedDemesDescription& device,
                             const std::vector<double>& output_times)
 {
   if (procedure.analysis != structure::Analysis::transient)
-    throw BadInput("the lumped DEMES has the analysis 'transient' only");
+    throw BadInput("the lumped DEMES has the analyses 'transient' and "
+                   "'frequency response' only");
   const lumped::Demes demes = lumped::make_demes(make_demes_si(device));
   lumped::DemesRunOptions options;
   options.start_time = procedure.start_time / demes.time_unit;

@@ -60,8 +60,9 @@ struct MotionEvidence
 ///   is below epsilon times that of the whole run;
 /// - periodic: for the smallest n up to 16 all n classes of every n-th point of
 ///   the second half of the section have at least 4 points each and extend by
-///   less than epsilon. Points are (value, velocity) of a strobe, or (velocity,
-///   time since the last crossing) of a free motion;
+///   less than epsilon; for n > 1 the distances |x_(k+1) - x_k| must not change
+///   as they do in a transient. Points are (value, velocity) of a strobe, or
+///   (velocity, time since the last crossing) of a free motion;
 /// - transient: fewer than 24 points, or the distances |x_(k+n) - x_k| of the n
 ///   (up to 8) that repeats best change from the first third of the section to
 ///   the last by more than a quarter in root mean square; or the largest
