@@ -15,6 +15,9 @@ import unittest
 from pixels import Picture
 from program import SOURCE, FolderTest, make_path_without
 
+sys.path.insert(0, str(SOURCE / "postprocess"))
+from taut_render.paraview_call import run_script  # noqa: E402
+
 STOPPED_BY_EVENT = 4
 # Viridis at its ends (S. van der Walt and N. Smith, Matplotlib 2.0).
 LOWEST, HIGHEST = (68, 1, 84), (253, 231, 37)
@@ -26,12 +29,6 @@ def read_list(folder):
 
 def compute_distance(a, b):
     return max(abs(x - y) for x, y in zip(a, b))
-
-
-def call_paraview(script):
-    return subprocess.run(["xvfb-run", "-a", "pvbatch", str(script)],
-                          capture_output=True, text=True, timeout=300,
-                          check=False)
 
 
 class Film(FolderTest):
@@ -79,8 +76,9 @@ class Film(FolderTest):
     def test_script_and_macro_open_in_paraview(self):
         self.expect(0, "render", self.results, "--times", "12", "--size", "300x200")
         self.assertEqual(len(read_list(self.results / "pictures")["stills"]), 1)
-        done = call_paraview(self.results / "open_in_paraview.py")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        done = run_script(self.results / "open_in_paraview.py")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(done.stderr, "")
         # A moved folder opens, too.
         moved = self.folder / "moved"
         shutil.copytree(self.results, moved)
@@ -94,8 +92,9 @@ film = pv.FindSource("deformed film")
 film.UpdatePipeline(30)
 print("height", film.GetDataInformation().GetBounds()[3])
 """, encoding="utf-8")
-        done = call_paraview(check)
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        done = run_script(check)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(done.stderr, "")
         # 30 mm in the mesh, stretched further by the voltage.
         self.assertGreater(float(done.stdout.split("height")[1]), 0.0305)
 
@@ -146,7 +145,7 @@ print("height", film.GetDataInformation().GetBounds()[3])
     def test_without_paraview_the_line_to_type_is_printed(self):
         path = make_path_without(self.folder / "bare", "pvbatch")
         self.expect_refused(
-            ["ParaView", "apt install", "paraview python3-paraview xvfb xauth"],
+            ["ParaView", "apt install", "paraview python3-paraview xvfb"],
             "render", self.results, PATH=path)
 
 
