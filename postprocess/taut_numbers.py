@@ -72,9 +72,9 @@ def make_ticks(low, high, count):
 
 
 def format_number(value, digits=4):
-    """Short and with a true minus; "none" for no number."""
+    """Short and with a true minus; a dash for no number."""
     if value is None or (isinstance(value, float) and math.isnan(value)):
-        return "none"
+        return "–"
     if isinstance(value, float) and math.isinf(value):
         return "infinite" if value > 0 else "\u2212infinite"
     if value == 0:
@@ -85,6 +85,8 @@ def format_number(value, digits=4):
         text = f"{mantissa} × 10^{int(exponent)}"
     elif float(value).is_integer() and abs(value) < 1e6:
         text = str(int(value))
+    elif abs(value) >= 10 ** digits:
+        text = f"{value:.0f}"
     else:
         text = f"{value:.{digits}g}"
     return text.replace("-", "\u2212")

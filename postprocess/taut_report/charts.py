@@ -243,7 +243,9 @@ def draw(chart):
     x, series, marks, x_label, _ = scale_chart(chart)
     is_logarithmic = chart.x.is_logarithmic and min(find_finite(x),
                                                     default=0) > 0
-    low_x, high_x = find_range(x, 0.0)
+    # Points at the ends stay within the frame.
+    has_marks = any(one.marks for one in series) and not is_logarithmic
+    low_x, high_x = find_range(x, 0.02 if has_marks else 0.0)
     low_y, high_y = find_range([v for s in series for v in s.values], 0.05)
     to_x = Map(low_x, high_x, LEFT, WIDTH - RIGHT, is_logarithmic)
     to_y = Map(low_y, high_y, HEIGHT - BOTTOM, TOP)

@@ -41,12 +41,18 @@ def make_x_axis(results):
 
 
 def make_ways(results):
-    """Of a path: unstable parts dashed."""
-    eigenvalues = find_column(results.tables["history"],
-                              "negative eigenvalues")
+    """Of a path: unstable parts dashed, jumps at one parameter dotted."""
+    history = results.tables["history"]
+    eigenvalues = find_column(history, "negative eigenvalues")
     if eigenvalues is None:
         return None
-    return ["--" if value > 0 else "-" for value in eigenvalues.values]
+    parameters = get_times(results).values
+    ways = ["--" if value > 0 else "-" for value in eigenvalues.values]
+    for row in range(1, len(ways)):
+        if math.isclose(parameters[row - 1], parameters[row], rel_tol=1e-9,
+                        abs_tol=1e-12):
+            ways[row] = ":"
+    return ways
 
 
 def make_marks(results):
@@ -78,9 +84,9 @@ def make_extremes(column):
 def explain(results, marks):
     words = []
     if marks:
-        words.append("Dotted lines: events.")
+        words.append("Vertical lines: events.")
     if results.is_path():
-        words.append("Solid: stable; dashed: unstable.")
+        words.append("Solid: stable; dashed: unstable; dotted: jumps.")
     return tag("p", " ".join(words)) if words else None
 
 
@@ -141,7 +147,10 @@ def make_energies(results):
                     note=" " if len(group) > 1 else "")
               for group in group_by_size(energies)]
     balance = find_column(history, "energy balance")
-    if balance and any(find_finite(balance.values)):
+    # Equilibria are not balanced: their source is not followed.
+    is_balanced = not results.summary or (results.summary.get(
+        "energy_balance") or {}).get("absolute") is not None
+    if balance and is_balanced and any(find_finite(balance.values)):
         charts.append(Chart("residual of the energy balance",
                             make_x_axis(results), "J",
                             [Series(balance.name, balance.values)]))
