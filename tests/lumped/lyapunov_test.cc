@@ -100,7 +100,7 @@ TEST(Lyapunov, OfLorenzAttractor)
 
 TEST(Lyapunov, OfDrivenDemesIsNegative)
 {
-  // Computed for the same numbers by a code of its own: -.024, -.003.
+  // Reference values of this parameter set, to the digits given: -.024, -.003.
   EXPECT_NEAR(compute_driven(3, 1, 60).value, -0.024, 1e-3);
   EXPECT_NEAR(compute_driven(2, 1, 200).value, -0.003, 1e-3);
 }
