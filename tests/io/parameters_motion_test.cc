@@ -129,6 +129,7 @@ TEST(MotionCase, IsRead)
   EXPECT_FALSE(motion->lyapunov_exponent);
   const testing::CaseOnDisk still(small_case);
   EXPECT_FALSE(read_case(still.file()).motion);
+  EXPECT_EQ(read_case(still.file(), {"Motion/Of = top"}).motion->of, "top");
 }
 
 TEST(MotionCase, ResponseIsRead)

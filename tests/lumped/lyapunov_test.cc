@@ -100,7 +100,7 @@ TEST(Lyapunov, OfLorenzAttractor)
 
 TEST(Lyapunov, OfDrivenDemesIsNegative)
 {
-  // Found independently to the digits given, by a tangent map: -.024, -.003.
+  // Reference values of this parameter set, to the digits given: -.024, -.003.
   EXPECT_NEAR(compute_driven(3, 1, 60).value, -0.024, 1e-3);
   EXPECT_NEAR(compute_driven(2, 1, 200).value, -0.003, 1e-3);
 }

@@ -56,7 +56,7 @@ constexpr double duffing_frequency = 1.2;
 const double duffing_period = 2 * pi / duffing_frequency;
 
 /// x'' + 0.3 x' - x + x^3 = force cos(1.2 t), of Jordan and Smith, Nonlinear
-/// Ordinary Differential Equations (2007), 13.3: with the force 0.20 it has the
+/// Ordinary Differential Equations (2007): with the force 0.20 it has the
 /// period 1, then 2 at 0.28, 4 at 0.29, 5 at 0.37; chaos at 0.50, 2 at 0.65.
 inline study::MotionTrack make_duffing(const double force, const int periods)
 {

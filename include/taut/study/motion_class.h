@@ -69,7 +69,7 @@ struct MotionEvidence
 ///   Lyapunov exponent is known and negative by three standard errors;
 /// - irregular: that exponent is positive by three standard errors; without it,
 ///   the 0-1 test of the section's values (Gottwald and Melbourne, SIAM J.
-///   Appl. Dyn. Syst. 8 (2009), 2.1 and 3) gives more than one half. It needs
+///   Appl. Dyn. Syst. 8 (2009)) gives more than one half. It needs
 ///   100 points, below which the motion counts as transient;
 /// - quasi-periodic: what remains.
 MotionVerdict classify_motion(const MotionEvidence& evidence, double tolerance);
