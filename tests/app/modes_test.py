@@ -5,6 +5,7 @@ Usage: modes_test.py PROGRAM MPIEXEC
 """
 
 import csv
+import math
 import unittest
 from pathlib import Path
 
@@ -90,7 +91,26 @@ class Resonator(ModesTest):
         self.assertNotIn("modes", self.read_summary("run"))
 
 
+# An elastica bent by a film of held width between its ends, pre-stretch 3,
+# K_bb = 1: frequencies of its symmetric swing over sqrt(mu V/I) with relaxed and
+# with stuck networks (boundary value problem, independent code).
+ELASTICA = {"relaxed": 1.624394498074, "frozen": 1.940647801291}
+
+
 class Demes(ModesTest):
+    def test_bow_swings_as_the_elastica(self):
+        unit = math.sqrt(52246.6 * .02 * .04 * 5e-4 / (2 * 1.058738e-5))
+        for networks, expected in ELASTICA.items():
+            rows = self.modes(CASES / "demes" / "elastica.prm",
+                              "Modes/At = start", "Modes/Count = 2",
+                              f"Modes/Networks = {networks}")
+            # The first mode is antisymmetric and leaves the film's length.
+            omega = math.sqrt(rows[1]["angular frequency squared"]) / unit
+            # The mass of legs and film takes some 2e-5.
+            self.assertAlmostEqual(omega / expected, 1, delta=5e-5)
+            self.assertAlmostEqual(rows[0]["damping ratio"], 0, delta=1e-9)
+            self.assertGreater(rows[1]["damping ratio"], .005)
+
     def test_flat_is_unstable_and_rest_is_not(self):
         case = CASES / "demes" / "bonded.prm"
         _, rest, _ = self.find(case, "Modes/At = start", "Modes/Count = 2")
