@@ -2,6 +2,8 @@
 
 import math
 
+import taut_numbers as numbers
+
 from . import markup
 from .charts import Axis, Chart, Series, find_finite, make_gallery
 from .histories import find_column
@@ -133,7 +135,7 @@ def choose_kind(column):
 
 
 def show_columns(caption, columns):
-    head = [f"{c.name} ({c.unit})" if c.unit else c.name for c in columns]
+    head = [numbers.make_label(c.name, c.unit) for c in columns]
     rows = [[make_cell(c, row) for c in columns]
             for row in range(count_rows(columns))]
     return markup.table(caption, head, rows,
