@@ -197,6 +197,11 @@ def make_motion(results):
                    if motion else None)
 
 
+# Of the points of a response: no results.
+OF_A_POINT = {"direction", "settled", "periods", "period number",
+              "reproducible"}
+
+
 def split_directions(columns):
     """Upward and downward sweeps with nan where the other one is."""
     direction = find_column(columns, "direction")
@@ -214,7 +219,7 @@ def make_response(results):
     ways = split_directions(columns)
     charts = []
     for c in columns[1:]:
-        if c.name in ("direction", "settled", "periods") or not c.is_number:
+        if c.name in OF_A_POINT or not c.is_number or c.is_empty():
             continue
         charts.append(Chart(
             c.name, Axis(x.name, x.unit, x.values), c.unit,
