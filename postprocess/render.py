@@ -109,7 +109,6 @@ def draw_shots(plan, shots, bar, work):
         shot["file"] = str(work / f"raw_{place:04d}.png")
     facts = paraview_call.draw({**plan, "shots": shots})
     if plan["field"] == "mode":
-        # A mode has no size of its own.
         facts = {"limits": [0, 1], "range": [0, 1]}
     bar = labels.ColourBar(*bar, facts["limits"], facts["range"])
     files = []
@@ -138,7 +137,9 @@ def write_pictures(arguments, found, field):
             "size": parse_size(arguments.size),
             "view": check_view(arguments.view)}
     paraview_call.check_paraview()
-    bar = (frames.get_title(field), found.units[field])
+    # A mode has no size of its own.
+    bar = (frames.get_title(field),
+           "" if field == "mode" else found.units[field])
     output.mkdir(parents=True, exist_ok=True)
     clear(output)
     written = {"field": field, "title": bar[0], "unit": bar[1], "stills": []}

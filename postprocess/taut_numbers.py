@@ -50,20 +50,30 @@ def find_step(low, high, count):
 
 
 def format_tick(value, step):
-    """As many digits as tell neighbours apart; 1e5 and more by exponent."""
+    """As many digits as tell neighbours apart; the very large and small by
+    exponent."""
     if abs(value) < 1e-9 * step:
         return "0"
     top = math.floor(math.log10(abs(value)) + 1e-9)
     last = math.floor(math.log10(step) + 1e-9)
-    if top >= 5 or last <= -5:
+    if top >= 5 or top <= -5:
         text = f"{value:.{max(top - last, 0)}e}"
         mantissa, exponent = text.split("e")
         return f"{mantissa}e{int(exponent)}".replace("-", "\u2212")
     return f"{value:.{max(-last, 0)}f}".replace("-", "\u2212")
 
 
-def make_ticks(low, high, count):
-    """(value, text) of round numbers from low to high."""
+def make_ticks(low, high, count, most_letters=1000):
+    """(value, text) of round numbers from low to high; fewer than `count` if
+    their texts would have more letters in all."""
+    ticks = place_ticks(low, high, count)
+    while count > 1 and sum(len(text) for _, text in ticks) > most_letters:
+        count -= 1
+        ticks = place_ticks(low, high, count)
+    return ticks
+
+
+def place_ticks(low, high, count):
     step = find_step(low, high, count)
     first = math.ceil(low / step - 1e-9)
     last = math.floor(high / step + 1e-9)

@@ -39,11 +39,12 @@ def make_environment():
 @contextlib.contextmanager
 def open_screen():
     """The DISPLAY of a screen in memory, without which pvbatch does not start.
-    The server finds a free number itself, also if many are started at once."""
+    The server finds a free number itself, also if many are started at once, and
+    stays as it is between two clients, else the second may find it closed."""
     reading, writing = os.pipe()
     with open(os.devnull, "wb") as nothing, subprocess.Popen(
             ["Xvfb", "-displayfd", str(writing), "-screen", "0", SCREEN,
-             "-nolisten", "tcp"], pass_fds=(writing,), stdout=nothing,
+             "-nolisten", "tcp", "-noreset"], pass_fds=(writing,), stdout=nothing,
             stderr=nothing) as server:
         os.close(writing)
         try:

@@ -2,6 +2,8 @@
 
 import math
 
+import taut_numbers as numbers
+
 from . import markup
 from .charts import Axis, Chart, Series, find_finite, make_gallery
 from .histories import find_column
@@ -133,7 +135,7 @@ def choose_kind(column):
 
 
 def show_columns(caption, columns):
-    head = [f"{c.name} ({c.unit})" if c.unit else c.name for c in columns]
+    head = [numbers.make_label(c.name, c.unit) for c in columns]
     rows = [[make_cell(c, row) for c in columns]
             for row in range(count_rows(columns))]
     return markup.table(caption, head, rows,
@@ -195,6 +197,11 @@ def make_motion(results):
                    if motion else None)
 
 
+# Of the points of a response: no results.
+OF_A_POINT = {"direction", "settled", "periods", "period number",
+              "reproducible"}
+
+
 def split_directions(columns):
     """Upward and downward sweeps with nan where the other one is."""
     direction = find_column(columns, "direction")
@@ -212,7 +219,7 @@ def make_response(results):
     ways = split_directions(columns)
     charts = []
     for c in columns[1:]:
-        if c.name in ("direction", "settled", "periods") or not c.is_number:
+        if c.name in OF_A_POINT or not c.is_number or c.is_empty():
             continue
         charts.append(Chart(
             c.name, Axis(x.name, x.unit, x.values), c.unit,

@@ -24,11 +24,11 @@ def list_sections(results, problem):
             make_pictures(results, problem),
             analyses.make_modes(results),
             analyses.make_comparison(results),
-            histories.make_probes(results),
+            None if results.is_response() else histories.make_probes(results),
             run_parts.make_events(results),
             analyses.make_motion(results),
             analyses.make_response(results),
-            histories.make_energies(results),
+            None if results.is_response() else histories.make_energies(results),
             run_parts.make_parameters(results),
             run_parts.make_record(results)]
 

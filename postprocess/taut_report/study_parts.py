@@ -90,7 +90,7 @@ def make_overview(results):
     variables = [v for v in study.get("variables") or []
                  if isinstance(v, dict)]
     table = markup.table("What was varied",
-                         ["Variable", "Key", "Values", "", "Unit"],
+                         ["Variable", "Key", "Count", "Values", "Unit"],
                          [describe_variable(v) for v in variables],
                          "ttntt", stacks=True) if variables else None
     facts = [(name, value) for name, value in pairs if value]

@@ -314,6 +314,11 @@ class Tables(PageTest):
         self.expect_refused(["not the folder of a run"], "report",
                             self.folder / "nothing")
 
+    def test_without_python_the_line_to_type_is_printed(self):
+        run = self.make_run("no python", {"status": "completed"})
+        self.expect_refused(["python3-matplotlib"], "report", run,
+                            TAUT_PYTHON="/bin/false")
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
