@@ -81,6 +81,39 @@ study::RunSummary find_modes(const io::CaseFile& case_file,
                                { io::write_mode_shapes(folder.path, shapes); });
 }
 
+/// What goes wrong on the way is told by the summary.
+study::RunSummary try_to_find(const io::CaseFile& case_file,
+                              const io::OutputFolder& folder,
+                              io::FilmModel* model, io::FolderOutput& output)
+{
+  study::RunSummary failed;
+  failed.status = study::Status::failed;
+  try
+  {
+    return io::name_case_in_errors(
+        case_file.content,
+        [&] { return find_modes(case_file, folder, model, output); });
+  }
+  catch (const SolverFailed& error)
+  {
+    failed.reason = error.what();
+  }
+  catch (const StepRejected& error)
+  {
+    failed.reason = error.what();
+  }
+  return failed;
+}
+
+void tell(const study::RunSummary& summary, io::FolderOutput& output)
+{
+  if (summary.modes)
+    output.say(describe(*summary.modes));
+  for (const std::string& note : summary.notes)
+    output.say("note: " + note);
+  output.finish(summary);
+}
+
 int run_modes(const ModesArguments& arguments, const MPI_Comm communicator)
 {
   using Clock = std::chrono::steady_clock;
@@ -106,34 +139,13 @@ int run_modes(const ModesArguments& arguments, const MPI_Comm communicator)
   on_first([&] { io::prepare_folder(folder, use); });
   io::FolderOutput output(folder, case_file, communicator);
   io::catch_interrupts();
-  study::RunSummary summary;
-  try
-  {
-    summary = io::name_case_in_errors(
-        case_file.content,
-        [&] { return find_modes(case_file, folder, model.get(), output); });
-  }
-  catch (const SolverFailed& error)
-  {
-    summary.status = study::Status::failed;
-    summary.reason = error.what();
-  }
-  catch (const StepRejected& error)
-  {
-    summary.status = study::Status::failed;
-    summary.reason = error.what();
-  }
+  auto summary = try_to_find(case_file, folder, model.get(), output);
   summary.timings["total"] =
       std::chrono::duration<double>(Clock::now() - began).count();
   if (summary.modes)
-  {
     on_first(
         [&] { io::write_mode_table(folder.get("modes.csv"), *summary.modes); });
-    output.say(describe(*summary.modes));
-  }
-  for (const std::string& note : summary.notes)
-    output.say("note: " + note);
-  output.finish(summary);
+  tell(summary, output);
   return get_modes_code(summary);
 }
 } // namespace
