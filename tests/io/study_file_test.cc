@@ -254,6 +254,20 @@ end
   }
 }
 
+TEST(StudyFile, ExamplesHaveCasesThatMayBeRun)
+{
+  for (const char* name : {"pre_stretch.prm", "fibre_angle.prm"})
+  {
+    const StudyFile study =
+        read_study_file(std::string(TAUT_CASES) + "/studies/" + name);
+    EXPECT_GT(study.cases.size(), 1u) << name;
+    for (const study::StudyCase& item : study.cases)
+      EXPECT_NO_THROW(
+          make_case_file(study.case_text, get_overrides(item), false))
+          << name << ", case " << item.number;
+  }
+}
+
 TEST(Describe, KnowsTheSectionsOfStudies)
 {
   std::ostringstream text;
