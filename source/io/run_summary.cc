@@ -67,6 +67,8 @@ std::string make_run_json(const study::RunSummary& summary,
   run["final"] = make_row(summary.columns, summary.final_row);
   if (!summary.other_branch.empty())
     run["other_branch"] = make_row(summary.columns, summary.other_branch);
+  if (!summary.findings.empty())
+    run["findings"] = summary.findings;
   run["notes"] = summary.notes;
   run["counters"] = summary.counters;
   run["timings"] = summary.timings;

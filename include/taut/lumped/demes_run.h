@@ -92,6 +92,10 @@ struct DemesRunOptions
   long max_steps = 5000000;
 };
 
+/// Errors: BadInput if the run does not end after it starts, or for an
+/// impossible tolerance.
+void validate(const DemesRunOptions& options);
+
 struct DemesRun
 {
   std::vector<DemesRow> rows;
@@ -106,6 +110,13 @@ struct DemesRun
   std::vector<std::string> notes;
   time::OdeStatistics statistics;
 };
+
+/// The rest states (make_rest_start) at the drives of the history, as if it
+/// went infinitely slowly. Only the times of the options count; nothing is
+/// dissipated, and the source's work is what the free energy loses. The film's
+/// force is looked at in the rows alone.
+/// Errors: BadInput for impossible parameters or options.
+DemesRun run_rest_states(const Demes& demes, const DemesRunOptions& options);
 
 /// Integrates the boxed equations.
 /// Errors: BadInput for impossible parameters or options, SolverFailed if the
