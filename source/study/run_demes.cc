@@ -38,9 +38,10 @@ std::vector<double> get_values(const LumpedDemesRow& row)
 }
 
 /// Tells `output` what happened and the summary how it ended.
-void report(const LumpedDemesDescription& device, const lumped::DemesRun& run,
+void report(const Case& run_case, const lumped::DemesRun& run,
             RunOutput& output, RunSummary& summary)
 {
+  const LumpedDemesDescription& device = run_case.lumped_demes;
   for (const lumped::DemesRow& row : run.rows)
     output.write_row(get_values(make_lumped_row(device, row)));
   for (const lumped::DemesEvent& event : run.events)
@@ -48,7 +49,9 @@ void report(const LumpedDemesDescription& device, const lumped::DemesRun& run,
   const LumpedDemesRow last = make_lumped_row(device, run.rows.back());
   summary.time_reached = last.time;
   summary.final_row = get_values(last);
-  set_balance(run, lumped::make_scales(make_demes_si(device)).energy, summary);
+  if (run_case.procedure.analysis == structure::Analysis::transient)
+    set_balance(run, lumped::make_scales(make_demes_si(device)).energy,
+                summary);
   summary.counters["steps"] = double(run.statistics.steps);
   summary.counters["rejected"] = double(run.statistics.rejected);
   summary.counters["evaluations"] = double(run.statistics.evaluations);
@@ -66,6 +69,6 @@ RunSummary run_demes(const Case& run_case, RunOutput& output)
       [&](const std::vector<double>& times)
       { return run_lumped(run_case.lumped_demes, run_case.procedure, times); },
       [&](const auto& run, RunSummary& summary)
-      { report(run_case.lumped_demes, run, output, summary); });
+      { report(run_case, run, output, summary); });
 }
 } // namespace taut::study

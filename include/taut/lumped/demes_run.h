@@ -111,11 +111,13 @@ struct DemesRun
   time::OdeStatistics statistics;
 };
 
-/// The rest states (make_rest_start) at the drives of the history, as if it
-/// went infinitely slowly. Only the times of the options count; nothing is
-/// dissipated, and the source's work is what the free energy loses. The film's
-/// force is looked at in the rows alone.
-/// Errors: BadInput for impossible parameters or options.
+/// The rest states at the drives of the history, as if it went infinitely
+/// slowly: from that of make_rest_start always to the stable one next to the
+/// last. Only the times of the options count. What is dissipated and the
+/// source's work are not tracked, and the film's force is looked at in the rows
+/// alone.
+/// Errors: BadInput for impossible parameters or options, SolverFailed if there
+/// is no stable shape.
 DemesRun run_rest_states(const Demes& demes, const DemesRunOptions& options);
 
 /// Integrates the boxed equations.
