@@ -18,4 +18,7 @@ void add_check(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);
 void add_describe(CLI::App& program, Action& chosen);
 void add_run(CLI::App& program, Action& chosen);
+void add_study(CLI::App& program, Action& chosen);
+/// Hidden: what the processes of a study run.
+void add_work(CLI::App& program, Action& chosen);
 } // namespace taut::app

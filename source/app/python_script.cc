@@ -57,7 +57,7 @@ std::string run_plot_script(const std::string& script,
   if (python.empty())
     return "no plots: there is no python3 with matplotlib; install it by `apt "
            "install python3-matplotlib`, or name another Python in TAUT_PYTHON";
-  const std::string file = std::string(TAUT_POSTPROCESS) + "/" + script;
+  const std::string file = std::filesystem::path(TAUT_POSTPROCESS) / script;
   std::vector<std::string> words = {python, "-B", file};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const int code = run_program(words);

@@ -20,14 +20,6 @@ std::string quote(const std::string& field)
   return quoted + '"';
 }
 
-std::string make_line(const std::vector<std::string>& fields)
-{
-  std::string line;
-  for (const std::string& field : fields)
-    line += (&field == &fields.front() ? "" : ",") + quote(field);
-  return line + '\n';
-}
-
 /// Header and first rows of the old file. A row ends with a line break: names
 /// hold none.
 std::string keep_rows(const std::string& file, const std::string& header,
@@ -57,16 +49,44 @@ CsvFile::CsvFile(const std::string& file,
                  const std::vector<std::string>& header, const std::size_t rows)
     : file_(file)
 {
-  const std::string first = make_line(header);
+  const std::string first = make_csv_line(header);
   replace_file(file, rows > 0 ? keep_rows(file, first, rows) : first);
   stream_.open(file, std::ios::app);
 }
 
 void CsvFile::write(const std::vector<std::string>& fields)
 {
-  stream_ << make_line(fields) << std::flush;
+  stream_ << make_csv_line(fields) << std::flush;
   if (!stream_)
     throw std::runtime_error("cannot write " + file_);
+}
+
+std::string make_csv_line(const std::vector<std::string>& fields)
+{
+  std::string line;
+  for (const std::string& field : fields)
+    line += (&field == &fields.front() ? "" : ",") + quote(field);
+  return line + '\n';
+}
+
+std::vector<std::string> split_csv_line(const std::string& line)
+{
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i)
+  {
+    const char c = line[i];
+    // Inside quotes, two of them stand for one.
+    if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+      fields.back() += line[++i];
+    else if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      fields.emplace_back();
+    else if (c != '\r')
+      fields.back() += c;
+  }
+  return fields;
 }
 
 std::string to_field(const double value)

@@ -130,11 +130,8 @@ void Declarations::assign(const CaseText& text)
   check_sections(text);
   for (const Entry& entry : text.entries())
   {
-    if (!knows(entry.section))
-      refuse_section(entry);
+    require_known(entry);
     const Parameter* parameter = find(entry.section, entry.key);
-    if (!parameter)
-      refuse_key(entry);
     try
     {
       parameter->check(entry.value);
@@ -147,6 +144,14 @@ void Declarations::assign(const CaseText& text)
     set_text(entry.section, entry.key, entry.value);
   }
   check_required(text);
+}
+
+void Declarations::require_known(const Entry& entry) const
+{
+  if (!knows(entry.section))
+    refuse_section(entry);
+  if (!find(entry.section, entry.key))
+    refuse_key(entry);
 }
 
 void Declarations::set_text(const SectionPath& section, const std::string& key,

@@ -39,10 +39,11 @@ void make_mesh_absolute(Declarations& all, const CaseText& text,
 }
 } // namespace
 
-CaseFile read_case_file(const std::string& file,
-                        const std::vector<std::string>& overrides)
+CaseFile make_case_file(const CaseText& original,
+                        const std::vector<std::string>& overrides,
+                        const bool with_effective_parameters)
 {
-  CaseText text = CaseText::read(file);
+  CaseText text = original;
   for (const std::string& option : overrides)
     text.override_entry(option);
   Declarations all;
@@ -53,14 +54,23 @@ CaseFile read_case_file(const std::string& file,
   check_case(text, draft);
   CaseFile result;
   result.changed_parameters = find_changed(all);
-  draft.content.file = file;
+  draft.content.file = text.file();
   if (draft.content.model == "film")
     make_mesh_absolute(all, text, draft.content.device.mesh);
-  std::ostringstream effective;
-  all.write(effective);
-  result.effective_parameters = effective.str();
+  if (with_effective_parameters)
+  {
+    std::ostringstream effective;
+    all.write(effective);
+    result.effective_parameters = effective.str();
+  }
   result.content = draft.content;
   return result;
+}
+
+CaseFile read_case_file(const std::string& file,
+                        const std::vector<std::string>& overrides)
+{
+  return make_case_file(CaseText::read(file), overrides, true);
 }
 
 study::Case read_case(const std::string& file,

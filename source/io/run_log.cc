@@ -102,12 +102,16 @@ void RunLog::report(const time::Step& step,
                     const time::IntegratorStatistics& statistics,
                     const double balance_relative)
 {
+  report([&] { return make_line(step, statistics, balance_relative); });
+  newton_before_ = statistics.newton_iterations;
+}
+
+void RunLog::report(const std::function<std::string()>& make_line)
+{
   const auto now = Clock::now();
   const bool show = on_terminal_ && now - last_shown_ > 100ms;
   const bool log = now - last_logged_ > 1s;
-  const std::string line =
-      show || log ? make_line(step, statistics, balance_relative) : "";
-  newton_before_ = statistics.newton_iterations;
+  const std::string line = show || log ? make_line() : "";
   if (log)
   {
     logger_->log(progress_level, line);

@@ -28,6 +28,12 @@ private:
   std::ofstream stream_;
 };
 
+/// `fields` as a line of such a table, with its end.
+std::string make_csv_line(const std::vector<std::string>& fields);
+
+/// The fields of a line, without their quotes.
+std::vector<std::string> split_csv_line(const std::string& line);
+
 /// 15 significant digits.
 std::string to_field(double value);
 } // namespace taut::io

@@ -56,6 +56,10 @@ public:
   /// the nearest name), values that are not allowed, and missing ones.
   void assign(const CaseText& text);
 
+  /// Errors: BadInput with the position of `entry` and the nearest name if its
+  /// section or key is not declared.
+  void require_known(const Entry& entry) const;
+
   /// The parameters as a .prm with their documentation; reads back as the same
   /// case.
   void write(std::ostream& stream) const;

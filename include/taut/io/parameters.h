@@ -1,5 +1,6 @@
 #pragma once
 
+#include <taut/io/case_text.h>
 #include <taut/study/case.h>
 
 #include <iosfwd>
@@ -36,11 +37,17 @@ struct CaseFile
 CaseFile read_case_file(const std::string& file,
                         const std::vector<std::string>& overrides = {});
 
+/// The same of a file that was taken apart before; the effective parameters are
+/// left empty unless they are wanted.
+CaseFile make_case_file(const CaseText& original,
+                        const std::vector<std::string>& overrides,
+                        bool with_effective_parameters);
+
 /// The content alone. Errors as read_case_file.
 study::Case read_case(const std::string& file,
                       const std::vector<std::string>& overrides = {});
 
-/// Writes the sections of a case file with every key, its default, meaning,
+/// Writes the sections of case and study files with every key, its default, meaning,
 /// range and unit: all of them, or those called `section` ("Film",
 /// "Integrator") and the sections inside them. Errors: BadInput with the
 /// nearest name if there is none.

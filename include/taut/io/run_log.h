@@ -5,6 +5,7 @@
 #include <spdlog/logger.h>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -27,6 +28,8 @@ public:
   void report(const time::Step& step,
               const time::IntegratorStatistics& statistics,
               double balance_relative);
+  /// Shows make_line() as the progress where it is time for a new line.
+  void report(const std::function<std::string()>& make_line);
 
 private:
   using Clock = std::chrono::steady_clock;
