@@ -15,16 +15,15 @@ SETS = {1: "$S = 0.03$, $e = 0.30$", 2: "$S = 0.3$, $e = 0.55$",
         3: "$S = 0.03$, $e = 0.80$", 4: "$S = 1$, $e = 0.30$"}
 
 
-def draw_curve(panel, cases, colour):
-    """Full where the motion stays on one side of the straight frame, faint
-    where it passes it."""
-    omega = np.array([case["omega"] for case in cases])
-    amplitude = np.array([case["amplitude"] for case in cases])
-    passes = np.array([case["smallest angle"] < 0 for case in cases])
+def draw_curve(panel, response, colour):
+    """Full where the motion is reproducible, faint where it depends on the last
+    digits of its start."""
+    omega = 2 * np.pi * response["frequency"] / paper.OMEGA
+    amplitude = response["amplitude"]
     panel.plot(omega, amplitude, color=colour, linewidth=0.6,
                alpha=paper.FAINT)
-    panel.plot(omega, np.where(passes, np.nan, amplitude), color=colour,
-               linewidth=0.9)
+    panel.plot(omega, np.where(response["reproducible"] > 0, amplitude, np.nan),
+               color=colour, linewidth=0.9)
 
 
 def list_panels(study):
@@ -49,8 +48,8 @@ def main():
                                 layout="constrained")
     for panel, (_, values) in zip(axes.flat, panels):
         for stretch, colour in shades.items():
-            draw_curve(panel, study.select(pre_stretch=stretch, **values),
-                       colour)
+            case = study.get(pre_stretch=stretch, **values)
+            draw_curve(panel, study.read_history(case), colour)
     for panel in axes.flat:
         panel.set_ylim(bottom=0)
     for panel in axes[-1]:
@@ -62,7 +61,8 @@ def main():
     handles = [paper.make_line(colour, rf"$\lambda_p = {stretch:g}$")
                for stretch, colour in shades.items()]
     handles.append(paper.make_line(
-        plt.matplotlib.colors.to_rgba(GREY, paper.FAINT), paper.FAINT_NOTE))
+        plt.matplotlib.colors.to_rgba(GREY, paper.FAINT),
+        "faint: not reproducible to the eye"))
     paper.add_legend(figure, handles)
     paper.save(figure, study)
 

@@ -79,6 +79,12 @@ subsection Event NAME
 end
 subsection Comparison
 end
+subsection Motion
+end
+subsection Procedure
+  subsection Frequency response
+  end
+end
 )";
 } // namespace
 

@@ -10,13 +10,16 @@ void declare_procedure(Section section, ProcedureDescription& procedure)
 {
   using structure::Analysis;
   using structure::Start;
-  section.optional("Analysis", procedure.analysis,
-                   choice<Analysis>({{"equilibrium", Analysis::equilibrium},
-                                     {"continuation", Analysis::continuation},
-                                     {"quasi-static", Analysis::quasi_static},
-                                     {"transient", Analysis::transient}}),
-                   "static path, one that may turn back in time, viscous flow "
-                   "without inertia, or motion");
+  section.optional(
+      "Analysis", procedure.analysis,
+      choice<Analysis>({{"equilibrium", Analysis::equilibrium},
+                        {"continuation", Analysis::continuation},
+                        {"quasi-static", Analysis::quasi_static},
+                        {"transient", Analysis::transient},
+                        {"frequency response", Analysis::frequency_response}}),
+      "static path, one that may turn back in time, viscous flow "
+      "without inertia, motion, or the settled motions of a "
+      "lumped model over the frequency of its source");
   section.optional("Start", procedure.start,
                    choice<Start>({{"relaxed", Start::relaxed},
                                   {"unrelaxed", Start::unrelaxed}}),
@@ -344,6 +347,7 @@ void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
   declare_continuation(all.section({"Procedure", "Continuation"},
                                    "the way of Analysis = continuation"),
                        content.procedure.continuation);
+  declare_frequency_response(all, text, content.procedure);
   declare_integrator(
       all.section({"Procedure", "Integrator"}, "how time is stepped"),
       text.find({"Procedure"}, "Analysis"), content.procedure.integrator);
@@ -352,6 +356,7 @@ void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
   declare_checkpoint(
       all.section({"Checkpoint"}, "when the run can be resumed from"),
       content.checkpoint);
+  declare_motion(all, text, content);
   if (text.find({"Comparison"}))
     declare_comparison(
         all.section({"Comparison"}, "the film case as a lumped model"), draft);

@@ -18,30 +18,31 @@ using study::DemesModel;
 using study::DemesRest;
 using study::DemesShape;
 
-Json make_json(const DemesShape& shape)
+ComparisonJson make_json(const DemesShape& shape)
 {
   return {{"angle", shape.angle},
           {"chord", shape.chord},
           {"stretch", shape.stretch}};
 }
 
-Json make_json(const DemesRest& rest)
+ComparisonJson make_json(const DemesRest& rest)
 {
-  Json json = make_json(rest.shape);
+  ComparisonJson json = make_json(rest.shape);
   json["voltage"] = rest.voltage;
   json["relaxed_frequency"] = rest.relaxed_frequency;
   json["instantaneous_frequency"] = rest.instantaneous_frequency;
   return json;
 }
 
-Json make_json(const DemesModel& model)
+ComparisonJson make_json(const DemesModel& model)
 {
-  Json oscillation = make_json(model.mean);
+  ComparisonJson oscillation = make_json(model.mean);
   oscillation["frequency"] = model.oscillation.frequency;
-  return {{"name", model.name},
-          {"rest", make_json(model.rest)},
-          {"driven", model.driven ? make_json(*model.driven) : Json()},
-          {"oscillation", oscillation}};
+  return {
+      {"name", model.name},
+      {"rest", make_json(model.rest)},
+      {"driven", model.driven ? make_json(*model.driven) : ComparisonJson()},
+      {"oscillation", oscillation}};
 }
 
 double compare(const double film, const double lumped)
@@ -49,10 +50,11 @@ double compare(const double film, const double lumped)
   return (film - lumped) / std::abs(lumped);
 }
 
-Json make_film_difference(const DemesModel& film, const DemesModel& lumped)
+ComparisonJson make_film_difference(const DemesModel& film,
+                                    const DemesModel& lumped)
 {
   const DemesShape &a = film.rest.shape, &b = lumped.rest.shape;
-  Json json =
+  ComparisonJson json =
       make_json(DemesShape{compare(a.angle, b.angle), compare(a.chord, b.chord),
                            compare(a.stretch, b.stretch)});
   json["frequency"] =
@@ -60,19 +62,19 @@ Json make_film_difference(const DemesModel& film, const DemesModel& lumped)
   return json;
 }
 
-Json make_models_json(const DemesComparison& comparison)
+ComparisonJson make_models_json(const DemesComparison& comparison)
 {
-  Json models = Json::array({make_json(comparison.film)});
+  ComparisonJson models = ComparisonJson::array({make_json(comparison.film)});
   for (const DemesModel* lumped : {&comparison.elastica, &comparison.arc})
   {
-    Json json = make_json(*lumped);
+    ComparisonJson json = make_json(*lumped);
     json["film_difference"] = make_film_difference(comparison.film, *lumped);
     models.push_back(json);
   }
   return models;
 }
 
-Json make_json(const study::DemesEquivalent& equivalent)
+ComparisonJson make_json(const study::DemesEquivalent& equivalent)
 {
   const lumped::DemesSI& device = equivalent.device;
   return {
@@ -94,9 +96,9 @@ Json make_json(const study::DemesEquivalent& equivalent)
       {"voltage", device.source.to_text()}};
 }
 
-Json make_film_events(const DemesComparison& comparison)
+ComparisonJson make_film_events(const DemesComparison& comparison)
 {
-  Json list = Json::array();
+  ComparisonJson list = ComparisonJson::array();
   for (const study::EventRecord& event : comparison.film_events)
     list.push_back({{"time", event.time},
                     {"name", event.name},
@@ -164,7 +166,7 @@ std::string describe_oscillations(const DemesComparison& comparison)
 
 std::string make_comparison_json(const DemesComparison& comparison)
 {
-  Json json;
+  ComparisonJson json;
   json["quantities"] = make_list(comparison.quantities);
   json["models"] = make_models_json(comparison);
   json["compared_until"] = comparison.compared_until;

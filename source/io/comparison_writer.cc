@@ -15,7 +15,7 @@ using study::ComparedEvent;
 using study::ComparedQuantity;
 using study::Comparison;
 
-Json make_json(const study::FailureDifference& difference)
+ComparisonJson make_json(const study::FailureDifference& difference)
 {
   return {{"time", difference.time},
           {"voltage", difference.voltage},
@@ -23,7 +23,7 @@ Json make_json(const study::FailureDifference& difference)
           {"same_place", difference.same_place}};
 }
 
-Json make_json(const study::LumpedResonatorDescription& resonator)
+ComparisonJson make_json(const study::LumpedResonatorDescription& resonator)
 {
   return {{"length_active", resonator.length_active},
           {"length_passive", resonator.length_passive},
@@ -43,9 +43,9 @@ Json make_json(const study::LumpedResonatorDescription& resonator)
 }
 
 template <class Item>
-Json make_optional(const std::optional<Item>& item)
+ComparisonJson make_optional(const std::optional<Item>& item)
 {
-  return item ? make_json(*item) : Json();
+  return item ? make_json(*item) : ComparisonJson();
 }
 
 std::string describe_failure(const std::string& model,
@@ -69,7 +69,7 @@ std::string describe_quantities(const Comparison& comparison)
 
 std::string make_comparison_json(const Comparison& comparison)
 {
-  Json json;
+  ComparisonJson json;
   json["quantities"] = make_list(comparison.quantities);
   json["compared_until"] = comparison.compared_until;
   json["events"] = {

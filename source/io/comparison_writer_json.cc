@@ -8,7 +8,7 @@
 
 namespace taut::io
 {
-Json make_json(const study::ComparedQuantity& quantity)
+ComparisonJson make_json(const study::ComparedQuantity& quantity)
 {
   return {{"name", quantity.name},
           {"unit", quantity.unit},
@@ -17,7 +17,7 @@ Json make_json(const study::ComparedQuantity& quantity)
           {"time_of_max", quantity.time_of_max}};
 }
 
-Json make_json(const study::ComparedEvent& event)
+ComparisonJson make_json(const study::ComparedEvent& event)
 {
   return {{"time", event.time},
           {"voltage", event.voltage},

@@ -10,15 +10,15 @@
 /// What the writers of all comparisons share.
 namespace taut::io
 {
-using Json = nlohmann::ordered_json;
+using ComparisonJson = nlohmann::ordered_json;
 
-Json make_json(const study::ComparedQuantity& quantity);
-Json make_json(const study::ComparedEvent& event);
+ComparisonJson make_json(const study::ComparedQuantity& quantity);
+ComparisonJson make_json(const study::ComparedEvent& event);
 
 template <class Item>
-Json make_list(const std::vector<Item>& items)
+ComparisonJson make_list(const std::vector<Item>& items)
 {
-  Json list = Json::array();
+  ComparisonJson list = ComparisonJson::array();
   for (const Item& item : items)
     list.push_back(make_json(item));
   return list;

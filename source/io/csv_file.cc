@@ -1,25 +1,18 @@
 #include <taut/base/exceptions.h>
+#include <taut/base/number_text.h>
 #include <taut/io/csv_file.h>
 #include <taut/io/files.h>
 
 #include <fmt/format.h>
 
+#include <limits>
+#include <sstream>
 #include <stdexcept>
 
 namespace taut::io
 {
 namespace
 {
-std::string quote(const std::string& field)
-{
-  if (field.find_first_of(",\"\r\n") == std::string::npos)
-    return field;
-  std::string quoted = "\"";
-  for (const char character : field)
-    quoted += character == '"' ? "\"\"" : std::string(1, character);
-  return quoted + '"';
-}
-
 /// Header and first rows of the old file. A row ends with a line break: names
 /// hold none.
 std::string keep_rows(const std::string& file, const std::string& header,
@@ -43,6 +36,23 @@ std::string keep_rows(const std::string& file, const std::string& header,
   }
   return content.substr(0, end);
 }
+/// `nan` is what to_field writes of a number that is none.
+std::vector<double> read_fields(const std::string& file,
+                                const std::size_t line_number,
+                                const std::string& line)
+{
+  std::vector<double> fields;
+  std::istringstream stream(line);
+  for (std::string field; std::getline(stream, field, ',');)
+  {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    if (field != "nan" && field != "-nan" && !read_number(field, value))
+      throw BadInput("'" + field + "' is no number", file,
+                     static_cast<unsigned int>(line_number), "");
+    fields.push_back(value);
+  }
+  return fields;
+}
 } // namespace
 
 CsvFile::CsvFile(const std::string& file,
@@ -65,7 +75,7 @@ std::string make_csv_line(const std::vector<std::string>& fields)
 {
   std::string line;
   for (const std::string& field : fields)
-    line += (&field == &fields.front() ? "" : ",") + quote(field);
+    line += (&field == &fields.front() ? "" : ",") + quote_field(field);
   return line + '\n';
 }
 
@@ -87,6 +97,34 @@ std::vector<std::string> split_csv_line(const std::string& line)
       fields.back() += c;
   }
   return fields;
+}
+
+std::string quote_field(const std::string& field)
+{
+  if (field.find_first_of(",\"\r\n") == std::string::npos)
+    return field;
+  std::string quoted = "\"";
+  for (const char character : field)
+    quoted += character == '"' ? "\"\"" : std::string(1, character);
+  return quoted + '"';
+}
+
+std::vector<std::vector<double>> read_rows(const std::string& file,
+                                           const std::size_t rows)
+{
+  std::vector<std::vector<double>> table;
+  if (rows == 0)
+    return table;
+  std::istringstream content(read_file(file));
+  std::string line;
+  std::getline(content, line);
+  while (table.size() < rows && std::getline(content, line))
+    table.push_back(read_fields(file, table.size() + 2, line));
+  if (table.size() < rows)
+    throw BadInput(
+        fmt::format("the file has {} rows, {} are needed", table.size(), rows),
+        file, 0, "");
+  return table;
 }
 
 std::string to_field(const double value)

@@ -1,6 +1,9 @@
+#include <taut/io/csv_file.h>
 #include <taut/io/files.h>
+#include <taut/io/first_rank.h>
 #include <taut/io/folder_output.h>
 #include <taut/io/interrupt.h>
+#include <taut/io/motion_writer.h>
 
 #include <fmt/format.h>
 
@@ -104,10 +107,26 @@ bool FolderOutput::interrupted()
   return on_any_rank(was_interrupted());
 }
 
+std::vector<std::vector<double>> FolderOutput::get_earlier_rows()
+{
+  return on_first_rank(
+      communicator_,
+      [&] { return read_rows(folder_.history(), resumed_.history_rows); });
+}
+
 void FolderOutput::say(const std::string& text)
 {
   if (is_first_)
     log_->say(text);
+}
+
+void FolderOutput::write_tables(const study::RunSummary& summary) const
+{
+  auto tables = summary.tables;
+  if (summary.motion)
+    tables.merge(make_motion_tables(*summary.motion));
+  for (const auto& [name, table] : tables)
+    replace_file(folder_.get(name + ".csv"), make_table_text(table));
 }
 
 void FolderOutput::finish(const study::RunSummary& summary)
@@ -115,6 +134,7 @@ void FolderOutput::finish(const study::RunSummary& summary)
   const Machine machine = measure_machine(communicator_);
   if (!is_first_)
     return;
+  write_tables(summary);
   replace_file(folder_.summary(),
                make_run_json(summary, machine, case_file_.changed_parameters));
   say(fmt::format("{} at t = {:.6g} s{}{}; output in {}",

@@ -24,8 +24,9 @@ void remove_run(const OutputFolder& folder)
 {
   for (const char* name :
        {"parameters.prm", "history.csv", "events.csv", "fields.pvd", "fields",
-        "run.json", "log.txt", "checkpoint", "compare.json", "compare.csv",
-        "compare.png", "compare.svg"})
+        "run.json", "section.csv", "spectrum.csv", "response.csv", "log.txt",
+        "checkpoint", "compare.json", "compare.csv", "compare.png",
+        "compare.svg"})
     fs::remove_all(folder.get(name));
 }
 

@@ -30,6 +30,35 @@ Json make_changes(const std::vector<ChangedParameter>& changed)
                                {"value", parameter.value}};
   return changes;
 }
+Json make_motion(const study::Motion& motion)
+{
+  const study::MotionVerdict& verdict = motion.verdict;
+  Json json;
+  json["of"] = motion.of;
+  json["velocity"] = motion.velocity;
+  json["from"] = motion.from;
+  json["class"] = study::to_text(verdict.motion_class);
+  json["reason"] = verdict.reason;
+  json["period_number"] = verdict.period_number;
+  json["period"] = verdict.period;
+  json["section_points"] = motion.section.size();
+  json["section_spread"] = verdict.spread;
+  json["drift_per_period"] = verdict.drift;
+  json["irregularity"] = verdict.irregularity;
+  json["dominant_frequency"] = motion.highest_line.frequency;
+  json["dominant_amplitude"] = motion.highest_line.amplitude;
+  if (motion.lyapunov)
+  {
+    json["lyapunov_exponent"] = motion.lyapunov->value;
+    json["lyapunov_uncertainty"] = motion.lyapunov->uncertainty;
+  }
+  if (motion.reproducible)
+  {
+    json["reproducible"] = *motion.reproducible;
+    json["reproducible_until"] = motion.reproducible_until;
+  }
+  return json;
+}
 } // namespace
 
 std::string to_text(const study::Status status)
@@ -74,6 +103,8 @@ std::string make_run_json(const study::RunSummary& summary,
   run["timings"] = summary.timings;
   run["energy_balance"] = {{"absolute", summary.balance_absolute},
                            {"relative", summary.balance_relative}};
+  if (summary.motion)
+    run["motion"] = make_motion(*summary.motion);
   run["peak_memory_bytes"] = machine.peak_memory;
   run["ranks"] = machine.n_ranks;
   run["versions"] = get_versions();

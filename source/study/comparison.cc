@@ -141,9 +141,7 @@ Rows run_lumped_rows(const Case& film_case, const Rows& film_rows,
                      const std::vector<Definition>& definitions,
                      Comparison& comparison)
 {
-  const auto regular =
-      make_output_times(film_case.procedure, film_case.output.history_intervals,
-                        film_case.output.history_times);
+  const auto regular = make_history_times(film_case);
   std::set<double> times(regular.begin(), regular.end());
   for (const auto& [time, row] : film_rows)
     times.insert(time);

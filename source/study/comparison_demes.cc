@@ -154,9 +154,7 @@ DemesComparison compare_demes_models(const Case& film_case,
 {
   DemesComparison comparison;
   comparison.equivalent = equivalent;
-  const auto times =
-      make_output_times(film_case.procedure, film_case.output.history_intervals,
-                        film_case.output.history_times);
+  const auto times = make_history_times(film_case);
   // They take no time: what is wrong with them is known before the film runs.
   const Shapes arc = run_arc(film_case.procedure, times, comparison);
   const Shapes elastica = run_elastica(film_case.procedure, times, comparison);

@@ -145,7 +145,14 @@ find_hold_limit(const LumpedResonatorDescription& device,
 LumpedRow make_lumped_row(const LumpedResonatorDescription& device,
                           const lumped::ResonatorRow& row)
 {
-  const auto scales = lumped::make_scales(make_resonator_si(device));
+  return make_lumped_row(device, lumped::make_scales(make_resonator_si(device)),
+                         row);
+}
+
+LumpedRow make_lumped_row(const LumpedResonatorDescription& device,
+                          const lumped::ResonatorScales& scales,
+                          const lumped::ResonatorRow& row)
+{
   LumpedRow si;
   si.time = row.time;
   si.voltage = scales.voltage * row.voltage;

@@ -19,15 +19,6 @@ lumped::PermittivityLaw make_permittivity(const LumpedDemesDescription& device)
   return {given[0], given[1], given[2]};
 }
 
-/// Driven runs start where the frame rests before it is heated or driven.
-lumped::DemesState make_start(const LumpedDemesDescription& device)
-{
-  lumped::DemesSI cold = make_demes_si(device);
-  if (device.start == DemesStart::flat)
-    return lumped::make_flat_start(lumped::make_demes(cold), device.seed_angle);
-  cold.laws = {};
-  return lumped::make_rest_start(lumped::make_demes(cold));
-}
 } // namespace
 
 lumped::DemesSI make_demes_si(const LumpedDemesDescription& device)
@@ -56,6 +47,16 @@ lumped::DemesSI make_demes_si(const LumpedDemesDescription& device)
   return demes;
 }
 
+/// Driven runs start where the frame rests before it is heated or driven.
+lumped::DemesState make_start(const LumpedDemesDescription& device)
+{
+  lumped::DemesSI cold = make_demes_si(device);
+  if (device.start == DemesStart::flat)
+    return lumped::make_flat_start(lumped::make_demes(cold), device.seed_angle);
+  cold.laws = {};
+  return lumped::make_rest_start(lumped::make_demes(cold));
+}
+
 lumped::DemesRun run_lumped(const LumpedDemesDescription& device,
                             const ProcedureDescription& procedure,
                             const std::vector<double>& output_times)
@@ -80,7 +81,14 @@ lumped::DemesRun run_lumped(const LumpedDemesDescription& device,
 LumpedDemesRow make_lumped_row(const LumpedDemesDescription& device,
                                const lumped::DemesRow& row)
 {
-  const auto scales = lumped::make_scales(make_demes_si(device));
+  return make_lumped_row(device, lumped::make_scales(make_demes_si(device)),
+                         row);
+}
+
+LumpedDemesRow make_lumped_row(const LumpedDemesDescription& device,
+                               const lumped::DemesScales& scales,
+                               const lumped::DemesRow& row)
+{
   const bool charge = device.charge_controlled;
   LumpedDemesRow si;
   si.time = scales.time * row.time;

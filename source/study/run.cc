@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "motion_recorder.h"
 #include "run_continuation.h"
 #include "run_events.h"
 #include "run_film.h"
@@ -45,9 +46,7 @@ FilmRun::FilmRun(const Case& run_case, structure::Structure& structure,
       system_(make_system(run_case, structure)), probes_(*system_),
       watches_(*system_, probes_, get_networks(run_case)),
       rows_(*system_, probes_, watches_),
-      history_times_(make_output_times(run_case.procedure,
-                                       run_case.output.history_intervals,
-                                       run_case.output.history_times)),
+      history_times_(make_history_times(run_case)),
       field_times_(make_output_times(run_case.procedure,
                                      run_case.output.field_intervals,
                                      run_case.output.field_times))
@@ -277,6 +276,9 @@ RunSummary FilmRun::run(const std::optional<Checkpoint>& resume)
 RunSummary run_film(const Case& run_case, structure::Structure& structure,
                     RunOutput& output, const std::optional<Checkpoint>& resume)
 {
-  return FilmRun(run_case, structure, output).run(resume);
+  return record_motion(
+      run_case, output,
+      [&](RunOutput& recorded)
+      { return FilmRun(run_case, structure, recorded).run(resume); });
 }
 } // namespace taut::study

@@ -1,9 +1,11 @@
 #include <taut/study/lumped_case_demes.h>
+#include <taut/study/response.h>
 #include <taut/study/run_demes.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "motion_recorder.h"
 #include "run_lumped.h"
 
 namespace taut::study
@@ -42,16 +44,16 @@ void report(const Case& run_case, const lumped::DemesRun& run,
             RunOutput& output, RunSummary& summary)
 {
   const LumpedDemesDescription& device = run_case.lumped_demes;
+  const auto scales = lumped::make_scales(make_demes_si(device));
   for (const lumped::DemesRow& row : run.rows)
-    output.write_row(get_values(make_lumped_row(device, row)));
+    output.write_row(get_values(make_lumped_row(device, scales, row)));
   for (const lumped::DemesEvent& event : run.events)
     output.write_event(make_event_record(device, event));
   const LumpedDemesRow last = make_lumped_row(device, run.rows.back());
   summary.time_reached = last.time;
   summary.final_row = get_values(last);
   if (run_case.procedure.analysis == structure::Analysis::transient)
-    set_balance(run, lumped::make_scales(make_demes_si(device)).energy,
-                summary);
+    set_balance(run, scales.energy, summary);
   summary.counters["steps"] = double(run.statistics.steps);
   summary.counters["rejected"] = double(run.statistics.rejected);
   summary.counters["evaluations"] = double(run.statistics.evaluations);
@@ -61,14 +63,23 @@ void report(const Case& run_case, const lumped::DemesRun& run,
 
 RunSummary run_demes(const Case& run_case, RunOutput& output)
 {
+  if (run_case.procedure.analysis == structure::Analysis::frequency_response)
+    return run_response(run_case, output);
   std::vector<Column> columns;
   for (const auto& column : get_lumped_demes_columns())
     columns.push_back(column.column);
-  return run_lumped_model(
-      run_case, columns, output,
-      [&](const std::vector<double>& times)
-      { return run_lumped(run_case.lumped_demes, run_case.procedure, times); },
-      [&](const auto& run, RunSummary& summary)
-      { report(run_case, run, output, summary); });
+  return record_motion(
+      run_case, output,
+      [&](RunOutput& recorded)
+      {
+        return run_lumped_model(
+            run_case, columns, recorded,
+            [&](const std::vector<double>& times) {
+              return run_lumped(run_case.lumped_demes, run_case.procedure,
+                                times);
+            },
+            [&](const auto& run, RunSummary& summary)
+            { report(run_case, run, recorded, summary); });
+      });
 }
 } // namespace taut::study

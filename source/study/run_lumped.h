@@ -21,9 +21,7 @@ RunSummary run_lumped_model(const Case& run_case,
 {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  const auto times =
-      make_output_times(run_case.procedure, run_case.output.history_intervals,
-                        run_case.output.history_times);
+  const auto times = make_history_times(run_case);
   RunSummary summary;
   std::optional<decltype(compute(times))> run;
   try

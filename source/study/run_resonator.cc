@@ -1,9 +1,11 @@
 #include <taut/study/lumped_case.h>
+#include <taut/study/response.h>
 #include <taut/study/run_resonator.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "motion_recorder.h"
 #include "run_lumped.h"
 
 namespace taut::study
@@ -54,9 +56,10 @@ void report(const Case& run_case, const lumped::ResonatorRun& run,
             RunOutput& output, RunSummary& summary)
 {
   const auto& device = run_case.lumped_resonator;
+  const auto scales = lumped::make_scales(make_resonator_si(device));
   std::vector<LumpedRow> rows;
   for (const lumped::ResonatorRow& row : run.rows)
-    rows.push_back(make_lumped_row(device, row));
+    rows.push_back(make_lumped_row(device, scales, row));
   for (const LumpedRow& row : rows)
     output.write_row(get_values(row));
   for (const lumped::ResonatorEvent& event : run.events)
@@ -78,15 +81,22 @@ void report(const Case& run_case, const lumped::ResonatorRun& run,
 
 RunSummary run_resonator(const Case& run_case, RunOutput& output)
 {
+  if (run_case.procedure.analysis == structure::Analysis::frequency_response)
+    return run_response(run_case, output);
   std::vector<Column> columns;
   for (const auto& column : get_lumped_columns())
     columns.push_back(column.column);
-  return run_lumped_model(
-      run_case, columns, output,
-      [&](const std::vector<double>& times) {
-        return run_lumped(run_case.lumped_resonator, run_case.procedure, times);
-      },
-      [&](const auto& run, RunSummary& summary)
-      { report(run_case, run, output, summary); });
+  return record_motion(run_case, output,
+                       [&](RunOutput& recorded)
+                       {
+                         return run_lumped_model(
+                             run_case, columns, recorded,
+                             [&](const std::vector<double>& times) {
+                               return run_lumped(run_case.lumped_resonator,
+                                                 run_case.procedure, times);
+                             },
+                             [&](const auto& run, RunSummary& summary)
+                             { report(run_case, run, recorded, summary); });
+                       });
 }
 } // namespace taut::study

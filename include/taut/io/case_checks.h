@@ -19,6 +19,10 @@ void check_case(const CaseText& text, const CaseDraft& draft);
 void resolve_frames(CaseDraft& draft);
 void check_frames(const CaseText& text, const CaseDraft& draft);
 
+/// The parts of them for the motion of a run and for a frequency response.
+void check_motion(const CaseText& text, const study::Case& content);
+void check_frequency_response(const CaseText& text, const study::Case& content);
+
 /// Refuses the key Temperature of `section` if it leaves, during the run, the
 /// range of the law; the message says the range and calls the law `law_name`.
 void check_temperature(const CaseText& text, const SectionPath& section,

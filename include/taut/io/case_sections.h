@@ -82,6 +82,10 @@ void declare_frames(Declarations& all, const CaseText& text, CaseDraft& draft);
 void declare_observation(Declarations& all, const CaseText& text,
                          CaseDraft& draft);
 void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft);
+void declare_motion(Declarations& all, const CaseText& text,
+                    study::Case& content);
+void declare_frequency_response(Declarations& all, const CaseText& text,
+                                study::ProcedureDescription& procedure);
 void declare_lumped_resonator(Declarations& all,
                               study::LumpedResonatorDescription& resonator);
 void declare_lumped_demes(Declarations& all,

@@ -34,6 +34,14 @@ std::string make_csv_line(const std::vector<std::string>& fields);
 /// The fields of a line, without their quotes.
 std::vector<std::string> split_csv_line(const std::string& line);
 
+/// The first rows of a file of numbers below its header.
+/// Errors: BadInput if it has fewer, or fields that are no numbers.
+std::vector<std::vector<double>> read_rows(const std::string& file,
+                                           std::size_t rows);
+
+/// In quotes if it needs them.
+std::string quote_field(const std::string& field);
+
 /// 15 significant digits.
 std::string to_field(double value);
 } // namespace taut::io

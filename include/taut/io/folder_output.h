@@ -14,7 +14,8 @@
 namespace taut::io
 {
 /// Writes a run into a folder: parameters.prm, history.csv, events.csv,
-/// fields.pvd, run.json, log.txt and checkpoint/. Files that one rank can write
+/// fields.pvd, run.json, log.txt and checkpoint/, and the
+/// tables of a motion or a response. Files that one rank can write
 /// are the first rank's.
 class FolderOutput : public study::RunOutput
 {
@@ -41,16 +42,18 @@ public:
                    double balance_relative) override;
   bool wants_checkpoint() override;
   bool interrupted() override;
+  std::vector<std::vector<double>> get_earlier_rows() override;
 
   /// A line for the user.
   void say(const std::string& text);
-  /// Writes run.json and says how it ended.
+  /// Writes run.json and the tables beside history.csv and says how it ended.
   void finish(const study::RunSummary& summary);
 
 private:
   using Clock = std::chrono::steady_clock;
   /// The answer of the first rank, or of any.
   bool on_any_rank(bool answer) const;
+  void write_tables(const study::RunSummary& summary) const;
 
   const OutputFolder folder_;
   const CaseFile& case_file_;

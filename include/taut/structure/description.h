@@ -320,10 +320,11 @@ enum class Start
 
 enum class Analysis
 {
-  equilibrium,  ///< static path through the signals' times
-  continuation, ///< static path that may turn back in the signals' time
-  quasi_static, ///< viscous networks evolve, no inertia
-  transient     ///< with inertia
+  equilibrium,       ///< static path through the signals' times
+  continuation,      ///< static path that may turn back in the signals' time
+  quasi_static,      ///< viscous networks evolve, no inertia
+  transient,         ///< with inertia
+  frequency_response ///< settled motions over frequencies, lumped models only
 };
 
 /// The device.

@@ -84,11 +84,42 @@ struct ContinuationDescription
   bool backward = false;
 };
 
+/// The settled motions of a lumped model under
+///   offset + amplitude sin(2 pi f t)
+/// for a range of frequencies f.
+struct FrequencyResponseDescription
+{
+  enum class Direction
+  {
+    up,
+    down,
+    both
+  };
+  double from = 0;             ///< lowest frequency (Hz)
+  double to = 0;               ///< highest (Hz)
+  unsigned int points = 50;    ///< number of frequencies
+  bool is_logarithmic = false; ///< their spacing
+  Direction direction = Direction::up;
+  double offset = 0;    ///< of the source (V, or C under charge)
+  double amplitude = 0; ///< of its sine (the same)
+  /// Column of the lumped model that is watched; empty: its angle or its bar's
+  /// displacement.
+  std::string of;
+  unsigned int least_periods = 32;
+  unsigned int most_periods = 2000;
+  /// Change of mean and amplitude that is still to come, over the amplitude.
+  double settled_within = 1e-4;
+  /// Each frequency from rest for a fixed time, or from where the last ended.
+  bool from_rest = false;
+  double observation_time = 0; ///< from rest (s)
+};
+
 struct ProcedureDescription
 {
   Shape shape = Shape::equilibrium;
   RestShapeDescription rest_shape;
   ContinuationDescription continuation;
+  FrequencyResponseDescription frequency_response;
   structure::Analysis analysis = structure::Analysis::transient;
   structure::Start start = structure::Start::relaxed;
   double start_time = 0; ///< (s)
@@ -185,6 +216,20 @@ struct DemesComparisonDescription
   std::string stretch_probe;
 };
 
+/// What is found out about a motion when its run is over.
+struct MotionDescription
+{
+  /// Probe of a film, or column of a lumped model.
+  std::string of;
+  /// Its rate, likewise; empty: the derivative of `of` through its rows.
+  std::string velocity;
+  double period = 0; ///< of the drive (s); 0: the motion is free
+  double from = 0;   ///< what is before is left out (s)
+  /// Spread of what repeats, over the motion's own size.
+  double tolerance = 1e-3;
+  bool lyapunov_exponent = false; ///< lumped models only
+};
+
 struct Case
 {
   std::string file;
@@ -197,6 +242,7 @@ struct Case
   /// At most one of both.
   std::optional<ComparisonDescription> comparison;
   std::optional<DemesComparisonDescription> demes_comparison;
+  std::optional<MotionDescription> motion;
   ProcedureDescription procedure;
   OutputDescription output;
   CheckpointDescription checkpoint;

@@ -63,6 +63,10 @@ struct LumpedRow
 
 LumpedRow make_lumped_row(const LumpedResonatorDescription& device,
                           const lumped::ResonatorRow& row);
+/// The same with the scales of the device, for many rows.
+LumpedRow make_lumped_row(const LumpedResonatorDescription& device,
+                          const lumped::ResonatorScales& scales,
+                          const lumped::ResonatorRow& row);
 
 /// A number of a LumpedRow and how it is called.
 struct LumpedColumn

@@ -45,6 +45,12 @@ struct LumpedDemesRow
 
 LumpedDemesRow make_lumped_row(const LumpedDemesDescription& device,
                                const lumped::DemesRow& row);
+/// The same with the scales of the device, for many rows.
+LumpedDemesRow make_lumped_row(const LumpedDemesDescription& device,
+                               const lumped::DemesScales& scales,
+                               const lumped::DemesRow& row);
+/// The state with which the runs of `device` start, dimensionless.
+lumped::DemesState make_start(const LumpedDemesDescription& device);
 
 /// A number of a LumpedDemesRow and how it is called.
 struct LumpedDemesColumn

@@ -2,6 +2,7 @@
 
 #include <taut/structure/systems.h>
 #include <taut/study/case.h>
+#include <taut/study/motion.h>
 #include <taut/time/integrate.h>
 
 #include <array>
@@ -52,6 +53,13 @@ enum class Status
   failed
 };
 
+/// A file of its own beside history.csv.
+struct Table
+{
+  std::vector<Column> columns;
+  std::vector<std::vector<double>> rows;
+};
+
 /// What run.json tells; all times in seconds.
 struct RunSummary
 {
@@ -72,6 +80,10 @@ struct RunSummary
   /// Largest absolute (J) and relative residual of the balance of energy.
   double balance_absolute = 0;
   double balance_relative = 0;
+  /// If the case asks for it and the run reached it.
+  std::optional<Motion> motion;
+  /// By the name of the file without its ending.
+  std::map<std::string, Table> tables;
 };
 
 /// What of a run must survive besides the state, so that it can go on.
@@ -118,6 +130,11 @@ public:
   virtual bool wants_checkpoint() = 0;
   /// True if the run should stop in good order (SIGTERM, SIGINT).
   virtual bool interrupted() = 0;
+  /// The rows that a resumed run wrote before it was cut.
+  virtual std::vector<std::vector<double>> get_earlier_rows()
+  {
+    return {};
+  }
 };
 
 /// Runs the film case on a structure: equilibrium path, quasi-static or

@@ -1,0 +1,135 @@
+#include "motion_recorder.h"
+
+#include <taut/base/exceptions.h>
+#include <taut/base/nearest_name.h>
+#include <taut/base/number_text.h>
+#include <taut/study/motion_flow.h>
+#include <taut/study/motion_lumped.h>
+
+namespace taut::study
+{
+namespace
+{
+std::size_t find_place(const std::vector<Column>& columns,
+                       const std::string& name)
+{
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+  {
+    if (columns[i].name == name)
+      return i;
+    names.push_back(columns[i].name);
+  }
+  throw BadInput("the history has no column '" + name + "' for the motion; " +
+                 suggest(name, names));
+}
+
+std::string describe_end(const Motion& motion)
+{
+  return "The motion of '" + motion.of +
+         "' is not reproducible to the eye: from " +
+         number_text(motion.reproducible_until) +
+         " s on, another start within 1e-10 and a tenth of the tolerance "
+         "lead more than a hundredth of its range away.";
+}
+} // namespace
+
+MotionRecorder::MotionRecorder(const Case& run_case, RunOutput& output)
+    : case_(run_case), description_(*run_case.motion), output_(output)
+{
+}
+
+void MotionRecorder::begin(const std::vector<Column>& columns)
+{
+  value_ = find_place(columns, description_.of);
+  unit_ = columns[value_].unit;
+  velocity_name_ = description_.velocity;
+  if (velocity_name_.empty() && case_.model != "film")
+    velocity_name_ = get_lumped_velocity(case_, description_.of);
+  if (!velocity_name_.empty())
+    velocity_ = find_place(columns, velocity_name_);
+  output_.begin(columns);
+  for (const auto& row : output_.get_earlier_rows())
+    record(row);
+}
+
+void MotionRecorder::record(const std::vector<double>& row)
+{
+  if (track_.size() == 0 || row[0] > track_.times.back())
+    track_.add({row[0], row[value_], row[velocity_]});
+}
+
+void MotionRecorder::write_row(const std::vector<double>& row)
+{
+  record(row);
+  output_.write_row(row);
+}
+
+void MotionRecorder::write_event(const EventRecord& event)
+{
+  output_.write_event(event);
+}
+
+void MotionRecorder::write_fields(const double time,
+                                  structure::StructureSystem& system,
+                                  const double* state)
+{
+  output_.write_fields(time, system, state);
+}
+
+void MotionRecorder::write_checkpoint(const RunProgress& progress,
+                                      structure::StructureSystem& system,
+                                      const double* state)
+{
+  output_.write_checkpoint(progress, system, state);
+}
+
+void MotionRecorder::report_step(const time::Step& step,
+                                 const time::IntegratorStatistics& statistics,
+                                 const double balance_relative)
+{
+  output_.report_step(step, statistics, balance_relative);
+}
+
+bool MotionRecorder::wants_checkpoint()
+{
+  return output_.wants_checkpoint();
+}
+
+bool MotionRecorder::interrupted()
+{
+  return output_.interrupted();
+}
+
+std::vector<std::vector<double>> MotionRecorder::get_earlier_rows()
+{
+  return output_.get_earlier_rows();
+}
+
+void MotionRecorder::finish(RunSummary& summary)
+{
+  if (velocity_ == 0)
+    track_.velocities = differentiate(track_.times, track_.values);
+  if (track_.size() == 0 || track_.times.back() < description_.from)
+  {
+    summary.notes.push_back("The run ended before the motion was looked at, "
+                            "from " +
+                            number_text(description_.from) + " s on.");
+    return;
+  }
+  std::optional<lumped::LyapunovExponent> lyapunov;
+  if (description_.lyapunov_exponent)
+    lyapunov = measure_lyapunov(case_, track_.times.back(), summary.notes);
+  Motion motion = analyse_motion(track_, description_, lyapunov);
+  motion.unit = unit_;
+  motion.velocity = velocity_name_;
+  if (const auto end = find_reproducible_end(case_, track_))
+  {
+    motion.reproducible_until = *end;
+    motion.reproducible = *end >= track_.times.back();
+    if (!*motion.reproducible)
+      summary.notes.push_back(describe_end(motion));
+  }
+  summary.motion = std::move(motion);
+}
+} // namespace taut::study
