@@ -33,6 +33,14 @@ def falls(values):
     return bool(np.all(np.diff(values) < 0))
 
 
+def falls_where_reached(times):
+    """Whether times fall, where those that are never reached stand first."""
+    times = np.asarray(times)
+    reached = np.flatnonzero(np.isfinite(times))
+    return bool(len(reached) > 1 and reached[-1] == len(times) - 1 and
+                np.all(np.diff(reached) == 1) and falls(times[reached]))
+
+
 def show(values, digits=3):
     """Numbers side by side."""
     return " ".join("never" if np.isinf(value) else f"{value:.{digits}g}"

@@ -14,6 +14,13 @@ from taut_plots import GREY, plt
 SHOWN = 100  # tau
 
 
+def select_first_seed(study, number):
+    """The cases of one S, of several seed angles those with the first."""
+    if not study.has("seed"):
+        return study.select(relaxation=number)
+    return study.select(relaxation=number, seed=study.get_values("seed")[0])
+
+
 def draw_histories(study, quantity, label, rests):
     """A panel for every S, with the rest values as ticks at the right."""
     numbers = study.get_values("relaxation")
@@ -22,7 +29,7 @@ def draw_histories(study, quantity, label, rests):
                                 figsize=(paper.DOUBLE, 1.75 * len(numbers)),
                                 layout="constrained")
     for panel, number in zip(axes, numbers):
-        for case in study.select(relaxation=number):
+        for case in select_first_seed(study, number):
             history = study.read_history(case)
             tau = paper.OMEGA * history["time"]
             shown = tau <= SHOWN

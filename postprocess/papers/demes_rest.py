@@ -14,17 +14,28 @@ from taut_plots import COLOURS, plt
 LAWS = {"softening": "-", "entropic": "--", "constant": ":"}
 
 
-def find_straight_field(history):
-    """e above which the frame is straight, or nan if it never becomes so: near
-    there theta^2 falls in proportion to V."""
-    voltage, angle = history["voltage"], history["angle"]
+def find_crossing(voltage, angle):
+    """e where the angle of consecutive rest states becomes zero: theta^2 falls
+    in proportion to V there, or the frame jumps. nan if it stays bent."""
     straight = np.flatnonzero(angle == 0)
     if not len(straight) or straight[0] < 2:
         return np.nan
-    last = straight[0] - 1
-    squares = angle[last - 1:last + 1]**2
-    slope = (squares[1] - squares[0]) / (voltage[last] - voltage[last - 1])
-    return paper.FIELD * (voltage[last] - squares[1] / slope)
+    first = straight[0]
+    squares = angle[first - 2:first]**2
+    slope = (squares[1] - squares[0]) / (voltage[first - 1] -
+                                         voltage[first - 2])
+    found = voltage[first - 1] - squares[1] / slope
+    between = sorted(voltage[first - 1:first + 1])
+    return paper.FIELD * float(np.clip(found, *between))
+
+
+def find_straight_fields(history):
+    """e above which a rising voltage leaves the frame straight, and e below
+    which a falling one lets it bend again."""
+    voltage, angle = history["voltage"], history["angle"]
+    top = np.argmax(voltage)
+    return (find_crossing(voltage[:top + 1], angle[:top + 1]),
+            find_crossing(voltage[:top:-1], angle[:top:-1]))
 
 
 def main():
@@ -44,16 +55,25 @@ def main():
                   ".-", color=colour, linewidth=0.9,
                   label=f"{temperature:g} K")
         cases = study.select(laws="softening", temperature=temperature)
-        straight.plot([case["pre_stretch"] for case in cases],
-                      [find_straight_field(study.read_history(case))
-                       for case in cases], ".-", color=colour, linewidth=0.9)
+        fields = np.array([find_straight_fields(study.read_history(case))
+                           for case in cases])
+        stretches = [case["pre_stretch"] for case in cases]
+        straight.plot(stretches, fields[:, 0], "--", color=colour,
+                      linewidth=0.9)
+        straight.plot(stretches, fields[:, 1], ".-", color=colour,
+                      linewidth=0.9)
     heated.set_xlabel("temperature (K)")
     heated.set_ylabel(r"$\theta$ at rest (rad)")
     for panel in (bent, straight):
         panel.set_xlabel(r"$\lambda_p$")
     bent.set_ylabel(r"$\theta$ at rest (rad)")
     bent.legend(frameon=False, loc="lower right")
-    straight.set_ylabel("$e$ that straightens the frame")
+    straight.set_ylabel("$e$ of the straight frame")
+    straight.legend(handles=[paper.make_line("black", "rising: from here on",
+                                             "--", 0.9),
+                             paper.make_line("black", "falling: down to here",
+                                             "-", 0.9)],
+                    frameon=False, loc="lower right")
     paper.number_panels((heated, bent, straight))
     paper.add_legend(
         figure,

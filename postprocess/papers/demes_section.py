@@ -12,8 +12,15 @@ from demes_direct import SETS
 from taut_plots import COLOURS, GREY, plt
 
 STROBE = 80  # rows in a period of the drive
-SECTIONS = [(1, 30, "#e0a15a", "1 to 30"), (31, 60, "#D55E00", "31 to 60"),
-            (61, 100, "#000000", "61 to 100")]
+SHADES = ["#e0a15a", "#D55E00", "#000000"]
+
+
+def list_parts(n_periods):
+    """First and last period of early, middle and late points."""
+    if n_periods == 100:
+        return [(1, 30), (31, 60), (61, 100)]
+    third = n_periods // 3
+    return [(1, third), (third + 1, 2 * third), (2 * third + 1, n_periods)]
 
 
 def get_path(history):
@@ -24,15 +31,16 @@ def draw_case(panel, history):
     """The path of the last 40 periods, and all points of the section."""
     angle, velocity = get_path(history)
     faint = paper.swings_over(angle)
-    panel.plot(angle[60 * STROBE:], velocity[60 * STROBE:], color=COLOURS[5],
+    parts = list_parts((len(angle) - 1) // STROBE)
+    panel.plot(angle[-40 * STROBE:], velocity[-40 * STROBE:], color=COLOURS[5],
                linewidth=0.5, alpha=paper.FAINT if faint else 0.9, zorder=1)
-    for first, last, colour, _ in SECTIONS:
+    for colour, (first, last) in zip(SHADES, parts):
         points = slice(first * STROBE, last * STROBE + 1, STROBE)
         panel.plot(angle[points], velocity[points], ".", color=colour,
                    markersize=3.5, markeredgewidth=0,
-                   zorder=2 + first / 100)
+                   zorder=2 + first / 1000)
     panel.locator_params(nbins=4)
-    return faint
+    return faint, parts
 
 
 def list_rows(study):
@@ -55,7 +63,8 @@ def main():
     for line, (title, values) in zip(axes, rows):
         for panel, stretch in zip(line, stretches):
             case = study.get(pre_stretch=stretch, **values)
-            faint |= draw_case(panel, study.read_history(case))
+            passes, parts = draw_case(panel, study.read_history(case))
+            faint |= passes
             titles.append(rf"$\lambda_p = {stretch:g}$" +
                           (f", {title}" if "K" in title else ""))
         line[0].set_ylabel(("" if "K" in title else title + "\n") +
@@ -64,8 +73,8 @@ def main():
         panel.set_xlabel(r"$\theta$ (rad)")
     paper.number_panels(axes.flat, titles)
     handles = [plt.Line2D([], [], color=colour, marker=".", linestyle="",
-                          label=f"periods {text}")
-               for _, _, colour, text in SECTIONS]
+                          label=f"periods {first} to {last}")
+               for colour, (first, last) in zip(SHADES, parts)]
     handles.append(paper.make_line(COLOURS[5], "path of the last 40"))
     if faint:
         handles.append(paper.make_line(

@@ -40,6 +40,13 @@ def read_number(text):
         return text or np.nan
 
 
+def is_same(one, other):
+    """Whether two values are, to what a CSV keeps of them."""
+    if isinstance(one, str) or isinstance(other, str):
+        return one == other
+    return bool(np.isclose(one, other, rtol=1e-9))
+
+
 class Study:
     """A folder that `taut study` wrote."""
 
@@ -62,9 +69,7 @@ class Study:
     def select(self, **values):
         """The cases with these values of the variables."""
         return [case for case in self.cases
-                if all(case[name] == value or
-                       (not isinstance(value, str) and
-                        np.isclose(case[name], value, rtol=1e-9))
+                if all(is_same(case[name], value)
                        for name, value in values.items())]
 
     def get(self, **values):

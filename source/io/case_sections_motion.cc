@@ -73,7 +73,8 @@ void declare_motion(Declarations& all, const CaseText& text,
                     study::Case& content)
 {
   all.allow_section({}, "Motion", false);
-  if (!text.find({"Motion"}))
+  // An override may add the section, with this key that it must have.
+  if (!text.find({"Motion"}) && !text.find({"Motion"}, "Of"))
     return;
   content.motion.emplace();
   declare_motion_keys(
