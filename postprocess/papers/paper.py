@@ -97,6 +97,14 @@ class Study:
         rows = np.loadtxt(file, delimiter=",", skiprows=1, ndmin=2)
         return dict(zip(names, rows.T))
 
+    def find_sibling(self):
+        """The lumped study of the same figure beside this folder, or None:
+        demes_04 beside demes_04_film."""
+        folder = self.folder.resolve()
+        other = folder.with_name(folder.name.removesuffix("_film"))
+        return (Study(other) if other != folder and
+                (other / "study.csv").exists() else None)
+
     def get_figure(self):
         """The number of the figure in the study's title."""
         text = (self.folder / "parameters.prm").read_text(encoding="utf-8")
