@@ -68,18 +68,17 @@ RunSummary run_demes(const Case& run_case, RunOutput& output)
   std::vector<Column> columns;
   for (const auto& column : get_lumped_demes_columns())
     columns.push_back(column.column);
-  return record_motion(
-      run_case, output,
-      [&](RunOutput& recorded)
-      {
-        return run_lumped_model(
-            run_case, columns, recorded,
-            [&](const std::vector<double>& times) {
-              return run_lumped(run_case.lumped_demes, run_case.procedure,
-                                times);
-            },
-            [&](const auto& run, RunSummary& summary)
-            { report(run_case, run, recorded, summary); });
-      });
+  return record_motion(run_case, output,
+                       [&](RunOutput& recorded)
+                       {
+                         return run_lumped_model(
+                             run_case, columns, recorded,
+                             [&](const std::vector<double>& times) {
+                               return run_lumped(run_case.lumped_demes,
+                                                 run_case.procedure, times);
+                             },
+                             [&](const auto& run, RunSummary& summary)
+                             { report(run_case, run, recorded, summary); });
+                       });
 }
 } // namespace taut::study
