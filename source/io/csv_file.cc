@@ -36,6 +36,7 @@ std::string keep_rows(const std::string& file, const std::string& header,
   }
   return content.substr(0, end);
 }
+
 /// `nan` is what to_field writes of a number that is none.
 std::vector<double> read_fields(const std::string& file,
                                 const std::size_t line_number,

@@ -106,6 +106,41 @@ TEST(RunDemes, HeatedRunStartsAtTheRestShapeOfTheColdFrame)
   EXPECT_GT(highest, 0.9068);
 }
 
+TEST(RunDemes, RestStatesAreThoseOfThePaper)
+{
+  // The seven stretches that Wang et al. (2024) list, to their two decimals.
+  const std::vector<double> stretches = {1.78, 1.70, 1.63, 1.57,
+                                         1.53, 1.48, 1.45};
+  for (std::size_t i = 0; i < stretches.size(); ++i)
+  {
+    Case run_case = make_case(2 + 0.5 * double(i));
+    run_case.lumped_demes.source = Signal();
+    run_case.procedure.analysis = structure::Analysis::equilibrium;
+    Records records;
+    run_demes(run_case, records);
+    EXPECT_NEAR(records.get(0, "stretch"), stretches[i], 0.005);
+    EXPECT_EQ(records.get(0, "stretch"), records.get(0, "inner stretch"));
+  }
+}
+
+TEST(RunDemes, RestStatesGoWithTheSourceAndTheTemperature)
+{
+  Case run_case = make_case(2);
+  run_case.lumped_demes.source = Signal::table({0, 1}, {0, 10000});
+  run_case.procedure.analysis = structure::Analysis::equilibrium;
+  Records records;
+  EXPECT_EQ(run_demes(run_case, records).status, Status::completed);
+  ASSERT_EQ(records.rows.size(), 51u);
+  // e = 0.491 straightens it, 8.19 kV; e is 0.06 for every kV.
+  for (std::size_t i = 0; i < records.rows.size(); ++i)
+    EXPECT_EQ(records.get(i, "angle") == 0,
+              records.get(i, "voltage") > 0.491 / 0.06 * 1000);
+  run_case.lumped_demes.temperature = 340;
+  Records hot;
+  run_demes(run_case, hot);
+  EXPECT_NEAR(hot.get(0, "angle"), 0.9068, 1e-4);
+}
+
 TEST(RunDemes, GivingUpIsAFailedRun)
 {
   Case run_case = make_lumped_demes_case(2);
