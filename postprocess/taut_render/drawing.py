@@ -92,16 +92,18 @@ def survey(device, shots, field):
         values.append(shown)
         if field == "mode":
             shot["limits"] = [0.0, float(shown.max(initial=0.0)) or 1.0]
-    return np.concatenate(places), np.concatenate(values)
+    return np.concatenate(places), [v for v in values if len(v)]
 
 
 def find_limits(values):
-    """The range of the colours and the whole range."""
-    if len(values) == 0:
+    """The range of the colours and the whole range, from the values of each
+    shot: what only one shot shows is not an outlier."""
+    if not values:
         return [0.0, 1.0], [0.0, 1.0]
-    whole = [float(values.min()), float(values.max())]
-    limits = [float(x) for x in
-              np.percentile(values, [OUTLIERS, 100 - OUTLIERS])]
+    whole = [float(min(v.min() for v in values)),
+             float(max(v.max() for v in values))]
+    limits = [float(min(np.percentile(v, OUTLIERS) for v in values)),
+              float(max(np.percentile(v, 100 - OUTLIERS) for v in values))]
     if limits[1] - limits[0] > MUCH_LESS * (whole[1] - whole[0]):
         limits = list(whole)
     # A uniform field has one colour, that of the middle.
