@@ -61,7 +61,10 @@ CsvFile::CsvFile(const std::string& file,
     : file_(file)
 {
   const std::string first = make_csv_line(header);
-  replace_file(file, rows > 0 ? keep_rows(file, first, rows) : first);
+  if (rows > 0)
+    replace_file(file, keep_rows(file, first, rows));
+  else
+    replace_file(file, first, false);
   stream_.open(file, std::ios::app);
 }
 
