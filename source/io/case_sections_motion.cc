@@ -73,7 +73,7 @@ void declare_motion(Declarations& all, const CaseText& text,
                     study::Case& content)
 {
   all.allow_section({}, "Motion", false);
-  // An override may add the section, with this key that it must have.
+  // An option may add the section to a case without one.
   if (!text.find({"Motion"}) && !text.find({"Motion"}, "Of"))
     return;
   content.motion.emplace();

@@ -63,8 +63,8 @@ lumped::DemesRun run_lumped(const LumpedDemesDescription& device,
 {
   const bool at_rest = procedure.analysis == structure::Analysis::equilibrium;
   if (!at_rest && procedure.analysis != structure::Analysis::transient)
-    throw BadInput("the lumped DEMES has the analyses 'equilibrium' and "
-                   "'transient' only");
+    throw BadInput("the lumped DEMES has the analyses 'equilibrium', "
+                   "'transient' and 'frequency response' only");
   const lumped::Demes demes = lumped::make_demes(make_demes_si(device));
   lumped::DemesRunOptions options;
   options.start_time = procedure.start_time / demes.time_unit;
