@@ -105,10 +105,11 @@ lumped::ResonatorRun run_lumped(const LumpedResonatorDescription& device,
                                 const ProcedureDescription& procedure,
                                 const std::vector<double>& output_times)
 {
-  if (procedure.analysis == structure::Analysis::continuation)
-    throw BadInput("the lumped resonator has no turning points to follow; "
-                   "'equilibrium', 'quasi-static', 'transient' and 'frequency "
-                   "response' are allowed");
+  if (procedure.analysis != structure::Analysis::equilibrium &&
+      procedure.analysis != structure::Analysis::quasi_static &&
+      procedure.analysis != structure::Analysis::transient)
+    throw BadInput("the lumped resonator has the analyses 'equilibrium', "
+                   "'quasi-static', 'transient' and 'frequency response' only");
   if (device.hold_time > 0)
     get_ramp_rate(device, procedure);
   const auto resonator = lumped::make_resonator(make_resonator_si(device));
