@@ -22,6 +22,30 @@ Json make_row(const std::vector<study::Column>& columns,
   return values;
 }
 
+/// The mode that moves most of the mass along x, y and z: where modes cross
+/// their numbers tell little. Empty for lumped models, which have no
+/// directions.
+Json make_largest_modes(const study::ModesReport& report)
+{
+  Json largest = Json::object();
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    double mass = 0;
+    for (std::size_t i = 0; i < report.modes.size(); ++i)
+    {
+      const auto& mode = report.modes[i];
+      if (mode.effective_masses.size() != 3 || mode.effective_masses[d] <= mass)
+        continue;
+      mass = mode.effective_masses[d];
+      largest[std::string(1, "xyz"[d])] = {{"mode", i + 1},
+                                           {"frequency", mode.frequency()},
+                                           {"square", mode.square},
+                                           {"effective_mass", mass}};
+    }
+  }
+  return largest;
+}
+
 Json make_modes(const study::ModesReport& report)
 {
   Json modes;
@@ -39,6 +63,7 @@ Json make_modes(const study::ModesReport& report)
     modes["squares"].push_back(mode.square);
     modes["damping_ratios"].push_back(mode.damping_ratio);
   }
+  modes["largest_along"] = make_largest_modes(report);
   modes["relaxation_times"] = Json::object();
   for (const auto& relaxation : report.relaxations)
     modes["relaxation_times"][relaxation.name] = relaxation.time;
