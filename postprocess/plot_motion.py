@@ -63,23 +63,28 @@ def plot_path(axes, path, section, scales, labels):
     axes.legend(loc="upper right", frameon=False)
 
 
-def plot_section(axes, section, scales, labels):
-    """Early points are pale."""
-    value, rate = scales
-    numbers = range(len(section[0]))
-    points = axes.scatter([value * v for v in section[0]],
-                          [rate * v for v in section[1]], c=list(numbers),
-                          cmap="cividis_r", s=7, linewidths=0)
+def widen(limits, least):
+    """At least so wide about the same middle."""
+    low, high = limits
+    missing = max(least - (high - low), 0)
+    return low - missing / 2, high + missing / 2
+
+
+def plot_section(axes, path, section, scales, labels):
+    """Early points are pale. Less than a hundredth of the path is a point."""
+    points = axes.scatter([scales[0] * v for v in section[0]],
+                          [scales[1] * v for v in section[1]],
+                          c=list(range(len(section[0]))), cmap="cividis_r",
+                          s=7, linewidths=0)
     axes.figure.colorbar(points, ax=axes, label="Number of the point")
     axes.set_xlabel(labels[0])
     axes.set_ylabel(labels[1])
-    # Points that coincide to round-off stay one point.
-    for widen, low, high in ((axes.set_xlim, *axes.get_xlim()),
-                             (axes.set_ylim, *axes.get_ylim())):
-        least = 1e-3 * max(abs(low), abs(high))
-        if high - low < least:
-            middle = (low + high) / 2
-            widen(middle - least / 2, middle + least / 2)
+    least = [0.01 * scale * (max(values) - min(values))
+             for scale, values in zip(scales, path)]
+    axes.set_xlim(widen(axes.get_xlim(), least[0]))
+    axes.set_ylim(widen(axes.get_ylim(), least[1]))
+    axes.locator_params(nbins=4)
+    axes.ticklabel_format(useOffset=False)
 
 
 def plot_spectrum(axes, spectrum, factor, label):
@@ -135,9 +140,9 @@ def make_figure(folder):
     figure, axes = plt.subplots(2, 2, figsize=(7.2, 5.2),
                                 layout="constrained")
     plot_time(axes[0, 0], times, values, value_factor, labels[0], begin)
-    plot_path(axes[0, 1], ([values[i] for i in shown],
-                           [rates[i] for i in shown]), points, scales, labels)
-    plot_section(axes[1, 0], points, scales, labels)
+    path = [values[i] for i in shown], [rates[i] for i in shown]
+    plot_path(axes[0, 1], path, points, scales, labels)
+    plot_section(axes[1, 0], path, points, scales, labels)
     plot_spectrum(axes[1, 1], plots.read_table(folder / "spectrum.csv"),
                   value_factor, labels[0])
     figure.suptitle(make_title(motion), fontsize=9)

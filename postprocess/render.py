@@ -43,45 +43,49 @@ def check_view(view):
     return view
 
 
-def parse_times(text, known):
+def parse_times(text, found):
     """The frames nearest to the times of a list."""
     try:
         wanted = [float(x) for x in text.split(",")]
     except ValueError:
         raise Refusal(f"--times '{text}' is not a list of times such as "
                       "0, 0.1, 0.5") from None
-    low, high = known[0], known[-1]
-    slack = 0.5 * (high - low) / max(len(known) - 1, 1)
+    low, high = min(found.times), max(found.times)
+    slack = 0.5 * (high - low) / max(len(found.times) - 1, 1)
     for time in wanted:
         if not low - slack <= time <= high + slack:
             raise Refusal(f"--times {time:g} is outside the run, whose frames "
                           f"are from {low:g} to {high:g}")
-    return sorted({min(known, key=lambda t: abs(t - time)) for time in wanted})
+    return sorted({found.find_nearest(time) for time in wanted})
 
 
-def thin(times, count):
-    """`count` of the times, evenly, the first and the last among them."""
-    if count >= len(times):
-        return list(times)
+def thin(frames_, count):
+    """`count` of the frames, evenly, the first and the last among them."""
+    if count >= len(frames_):
+        return list(frames_)
     if count == 1:
-        return [times[-1]]
-    last = len(times) - 1
-    return [times[round(i * last / (count - 1))] for i in range(count)]
+        return [frames_[-1]]
+    last = len(frames_) - 1
+    return [frames_[round(i * last / (count - 1))] for i in range(count)]
 
 
-def choose_times(arguments, found):
+def choose_frames(arguments, found):
+    """The stills, as numbers of frames."""
+    everything = range(len(found.times))
     if arguments.times:
-        return parse_times(arguments.times, found.times)
+        return parse_times(arguments.times, found)
     if arguments.frames is not None and arguments.frames < 1:
         raise Refusal("--frames is a number of 1 or more")
     if found.is_modes:
-        modes = [time for time in found.times if time > 0] or found.times
-        return modes[:arguments.frames or MOST_MODES]
-    return thin(found.times, arguments.frames or N_STILLS)
+        modes = [i for i in everything if found.times[i] > 0]
+        return (modes or list(everything))[:arguments.frames or MOST_MODES]
+    return thin(everything, arguments.frames or N_STILLS)
 
 
-def make_shot(time, share):
-    return {"time": time, "share": share}
+def make_shot(found, frame, share):
+    """`share` of the shape of a mode, -1 to 1."""
+    return {"time": found.keys[frame], "share": share,
+            "name": found.names[frame]}
 
 
 def plan_animation(arguments, found):
@@ -89,29 +93,29 @@ def plan_animation(arguments, found):
     if not arguments.animation:
         return []
     if not found.is_modes:
-        return [make_shot(time, 0) for time in thin(found.times, MOST_SHOTS)]
-    mode = float(arguments.mode)
-    if mode not in found.times:
+        return [make_shot(found, frame, 0)
+                for frame in thin(range(len(found.times)), MOST_SHOTS)]
+    if arguments.mode not in found.times:
         raise Refusal(f"there is no mode {arguments.mode}; there are 1 to "
-                      f"{found.times[-1]:.0f}")
-    return [make_shot(mode, math.sin(2 * math.pi * i / SHOTS_OF_MODE))
+                      f"{max(found.times):.0f}")
+    frame = found.find_nearest(arguments.mode)
+    return [make_shot(found, frame, math.sin(2 * math.pi * i / SHOTS_OF_MODE))
             for i in range(SHOTS_OF_MODE)]
 
 
-def draw_shots(plan, shots, bar, found, work):
+def draw_shots(plan, shots, bar, work):
     """Draws into `work`; the colour bar and the finished files."""
     for place, shot in enumerate(shots):
         shot["file"] = str(work / f"raw_{place:04d}.png")
     facts = paraview_call.draw({**plan, "shots": shots})
     if plan["field"] == "mode":
-        # A mode has no size of its own.
         facts = {"limits": [0, 1], "range": [0, 1]}
     bar = labels.ColourBar(*bar, facts["limits"], facts["range"])
     files = []
     for place, shot in enumerate(shots):
         files.append(work / f"shot_{place:04d}.png")
-        labels.finish(shot["file"], tuple(plan["size"]),
-                      found.name(shot["time"]), bar, files[-1])
+        labels.finish(shot["file"], tuple(plan["size"]), shot["name"], bar,
+                      files[-1])
         Path(shot["file"]).unlink()
     return bar, files
 
@@ -125,26 +129,29 @@ def clear(folder):
 
 def write_pictures(arguments, found, field):
     output = Path(arguments.output or Path(arguments.folder) / "pictures")
-    stills = [make_shot(time, 1 if found.is_modes else 0)
-              for time in choose_times(arguments, found)]
+    chosen = choose_frames(arguments, found)
+    stills = [make_shot(found, frame, 1 if found.is_modes else 0)
+              for frame in chosen]
     moving = plan_animation(arguments, found)
-    plan = {"source": str((Path(arguments.folder) / "fields.pvd").resolve()),
-            "field": field, "size": parse_size(arguments.size),
+    plan = {"source": str(found.source.resolve()), "field": field,
+            "size": parse_size(arguments.size),
             "view": check_view(arguments.view)}
     paraview_call.check_paraview()
-    bar = (frames.get_title(field), found.units[field])
+    # A mode has no size of its own.
+    bar = (frames.get_title(field),
+           "" if field == "mode" else found.units[field])
     output.mkdir(parents=True, exist_ok=True)
     clear(output)
     written = {"field": field, "title": bar[0], "unit": bar[1], "stills": []}
     with tempfile.TemporaryDirectory(prefix="taut_render_") as folder:
         work = Path(folder)
         # All at once: one camera and one range for stills and animation.
-        bar, files = draw_shots(plan, moving + stills, bar, found, work)
+        bar, files = draw_shots(plan, moving + stills, bar, work)
         for place, shot in enumerate(stills):
             name = f"still_{place:02d}.png"
             labels.shrink(files[len(moving) + place], output / name)
-            written["stills"].append({"file": name, "time": shot["time"],
-                                      "name": found.name(shot["time"])})
+            written["stills"].append({"file": name, "name": shot["name"],
+                                      "time": found.times[chosen[place]]})
         if moving:
             made = animation.write_animation(work, len(moving),
                                              output / "animation")
@@ -161,8 +168,8 @@ def render(arguments):
     field = (frames.check_field(found, arguments.field) if arguments.field
              else frames.choose_field(found, arguments.folder))
     output, written = write_pictures(arguments, found, field)
-    script = session.write_session(arguments.folder, field, written["limits"],
-                                   found.is_modes)
+    script = session.write_session(Path(arguments.folder), found, field,
+                                   written["limits"])
     names = [still["file"] for still in written["stills"]]
     if "animation" in written:
         names.append(written["animation"]["file"])

@@ -6,8 +6,7 @@ of a run, select it in the pipeline browser and call the macro. It adds ordinary
 filters, so that field, colours and scale can be changed as usual.
 
 `taut render` draws its pictures with the same functions and writes
-open_in_paraview.py,
-which is this file with the run's own field and range at its end.
+open_in_paraview.py, which is this file with the run's own field and range.
 """
 
 from paraview import simple as pv

@@ -50,20 +50,30 @@ def find_step(low, high, count):
 
 
 def format_tick(value, step):
-    """As many digits as tell neighbours apart; 1e5 and more by exponent."""
+    """As many digits as tell neighbours apart; the very large and small by
+    exponent."""
     if abs(value) < 1e-9 * step:
         return "0"
     top = math.floor(math.log10(abs(value)) + 1e-9)
     last = math.floor(math.log10(step) + 1e-9)
-    if top >= 5 or last <= -5:
+    if top >= 5 or top <= -5:
         text = f"{value:.{max(top - last, 0)}e}"
         mantissa, exponent = text.split("e")
         return f"{mantissa}e{int(exponent)}".replace("-", "\u2212")
     return f"{value:.{max(-last, 0)}f}".replace("-", "\u2212")
 
 
-def make_ticks(low, high, count):
-    """(value, text) of round numbers from low to high."""
+def make_ticks(low, high, count, most_letters=1000):
+    """(value, text) of round numbers from low to high; fewer than `count` if
+    their texts would have more letters in all."""
+    ticks = place_ticks(low, high, count)
+    while count > 1 and sum(len(text) for _, text in ticks) > most_letters:
+        count -= 1
+        ticks = place_ticks(low, high, count)
+    return ticks
+
+
+def place_ticks(low, high, count):
     step = find_step(low, high, count)
     first = math.ceil(low / step - 1e-9)
     last = math.floor(high / step + 1e-9)
@@ -72,9 +82,9 @@ def make_ticks(low, high, count):
 
 
 def format_number(value, digits=4):
-    """Short and with a true minus; "none" for no number."""
+    """Short and with a true minus; a dash for no number."""
     if value is None or (isinstance(value, float) and math.isnan(value)):
-        return "none"
+        return "–"
     if isinstance(value, float) and math.isinf(value):
         return "infinite" if value > 0 else "\u2212infinite"
     if value == 0:
@@ -85,6 +95,8 @@ def format_number(value, digits=4):
         text = f"{mantissa} × 10^{int(exponent)}"
     elif float(value).is_integer() and abs(value) < 1e6:
         text = str(int(value))
+    elif abs(value) >= 10 ** digits:
+        text = f"{value:.0f}"
     else:
         text = f"{value:.{digits}g}"
     return text.replace("-", "\u2212")

@@ -79,8 +79,8 @@ def make_label(name, unit):
     return f"{text} ({unit})" if unit else text
 
 
-def save(figure, stem):
-    """Writes stem.png and stem.svg."""
-    for suffix in ("png", "svg"):
+def save(figure, stem, suffixes=("png", "svg")):
+    """Writes the figure to stem.png, stem.svg, ..."""
+    for suffix in suffixes:
         figure.savefig(f"{stem}.{suffix}", bbox_inches="tight")
     plt.close(figure)

@@ -14,11 +14,12 @@ def choose_rate(count):
     return min(max(round(count / 6), 4), 25)
 
 
-def write_mp4(pictures, rate, file):
-    """`pictures`: files named by a pattern such as shot_%04d.png."""
+def write_mp4(pictures, count, rate, file):
+    """`pictures`: files named by a pattern such as shot_%04d.png, of which the
+    first `count` are taken."""
     # Most players want even sizes and this kind of colour.
     words = ["ffmpeg", "-y", "-loglevel", "error", "-framerate", str(rate),
-             "-i", str(pictures), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+             "-i", str(pictures), "-frames:v", str(count), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2",
              "-c:v", "libx264", "-crf", "20", "-preset", "medium", "-pix_fmt",
              "yuv420p", "-movflags", "+faststart", str(file)]
     done = subprocess.run(words, capture_output=True, text=True,
@@ -40,7 +41,7 @@ def write_animation(folder, count, stem, rate=None):
         stem.with_suffix(suffix).unlink(missing_ok=True)
     if shutil.which("ffmpeg"):
         file = stem.with_suffix(".mp4")
-        write_mp4(folder / "shot_%04d.png", rate, file)
+        write_mp4(folder / "shot_%04d.png", count, rate, file)
     else:
         file = stem.with_suffix(".webp")
         write_webp([folder / f"shot_{i:04d}.png" for i in range(count)], rate,

@@ -49,15 +49,30 @@ def get_places(data):
     return np.concatenate([places, places + vtk_to_numpy(motion)])
 
 
+def find_largest(data, field):
+    """The vector of largest magnitude."""
+    array = data.GetPointData().GetArray(field)
+    if array is None or not array.GetNumberOfTuples():
+        return np.zeros(3)
+    vectors = vtk_to_numpy(array).astype(float)
+    return vectors[np.argmax(np.linalg.norm(vectors, axis=1))]
+
+
 def find_mode_scale(device, shot):
-    """What makes the mode's largest excursion EXCURSION of the device."""
+    """What makes the mode's largest excursion EXCURSION of the device. Its sign
+    is free: upwards, or along x or y."""
     if not shot["share"]:
         return 0.0
     parts = [fetch(part, shot["time"]) for part in (device.film, device.strips)]
-    largest = max((get_values(part, "mode").max(initial=0.0) for part in parts))
+    largest = max((find_largest(part, "mode") for part in parts),
+                  key=np.linalg.norm)
     places = np.concatenate([get_places(part) for part in parts])
     size = np.ptp(places, axis=0).max()
-    return shot["share"] * EXCURSION * size / largest if largest > 0 else 0.0
+    length = np.linalg.norm(largest)
+    if length == 0:
+        return 0.0
+    sign = np.sign(largest[np.argmax(np.abs(largest))])
+    return float(shot["share"] * EXCURSION * size * sign / length)
 
 
 def survey(device, shots, field):
@@ -77,16 +92,18 @@ def survey(device, shots, field):
         values.append(shown)
         if field == "mode":
             shot["limits"] = [0.0, float(shown.max(initial=0.0)) or 1.0]
-    return np.concatenate(places), np.concatenate(values)
+    return np.concatenate(places), [v for v in values if len(v)]
 
 
 def find_limits(values):
-    """The range of the colours and the whole range."""
-    if len(values) == 0:
+    """The range of the colours and the whole range, from the values of each
+    shot: what only one shot shows is not an outlier."""
+    if not values:
         return [0.0, 1.0], [0.0, 1.0]
-    whole = [float(values.min()), float(values.max())]
-    limits = [float(x) for x in
-              np.percentile(values, [OUTLIERS, 100 - OUTLIERS])]
+    whole = [float(min(v.min() for v in values)),
+             float(max(v.max() for v in values))]
+    limits = [float(min(np.percentile(v, OUTLIERS) for v in values)),
+              float(max(np.percentile(v, 100 - OUTLIERS) for v in values))]
     if limits[1] - limits[0] > MUCH_LESS * (whole[1] - whole[0]):
         limits = list(whole)
     # A uniform field has one colour, that of the middle.

@@ -3,8 +3,11 @@
 import json
 import re
 import xml.etree.ElementTree as xml
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
+from xml.sax.saxutils import quoteattr
+
+import taut_numbers as numbers
 
 from .refusal import Refusal, suggest
 
@@ -28,26 +31,50 @@ GEOMETRY = {"connectivity", "offsets", "types", "TIME"}
 
 @dataclass
 class Frames:
-    """Of a folder: times, fields with their units, whether frames are modes."""
+    """Of a folder: the file that ParaView reads, its time of each frame, what
+    the frame is called, its time or parameter, and the fields with their units.
+    """
 
+    source: Path
+    keys: list
+    names: list
     times: list
     units: dict
-    is_modes: bool
-    names: dict = field(default_factory=dict)
+    is_modes: bool = False
 
-    def name(self, time):
-        """What is written above the picture of a time."""
-        return self.names.get(time, f"t = {time:.4g} s")
+    def find_nearest(self, time):
+        """The first frame as near to the time as any."""
+        return min(range(len(self.times)),
+                   key=lambda i: abs(self.times[i] - time))
 
 
 def read_data_sets(file):
-    """(time, path) of the files that a fields.pvd names."""
+    """Times and, by part, files of the frames that a fields.pvd names."""
     try:
         sets = list(xml.parse(file).getroot().iter("DataSet"))
     except (OSError, xml.ParseError) as error:
         raise Refusal(f"{file}: the list of frames cannot be read: {error}")
-    return [(float(data.get("timestep")), file.parent / data.get("file"))
-            for data in sets]
+    found = []
+    for data in sets:
+        part = int(data.get("part", 0))
+        if not found or part <= max(found[-1][1]):
+            found.append((float(data.get("timestep")), {}))
+        found[-1][1][part] = data.get("file")
+    return found
+
+
+def write_numbered(file, data_sets):
+    """A .pvd whose times are the numbers of the frames: the parameter of a path
+    comes back to the same values, which ParaView does not follow."""
+    lines = ['<?xml version="1.0"?>',
+             '<VTKFile type="Collection" version="0.1">', "<Collection>"]
+    for number, (_, parts) in enumerate(data_sets):
+        lines += [f'<DataSet timestep="{number}" part="{part}" '
+                  f'file={quoteattr("../" + name)}/>'
+                  for part, name in sorted(parts.items())]
+    file.parent.mkdir(exist_ok=True)
+    file.write_text("\n".join(lines + ["</Collection>", "</VTKFile>", ""]),
+                    encoding="utf-8")
 
 
 def read_units(file):
@@ -64,19 +91,37 @@ def read_units(file):
     return units
 
 
+def read_summary(folder):
+    """run.json, empty if the run did not come to its end."""
+    try:
+        text = (folder / "run.json").read_text(encoding="utf-8")
+        return json.loads(text)
+    except (OSError, json.JSONDecodeError):
+        return {}
+
+
 def name_modes(folder, times):
-    """Labels of the frames of `taut modes`: frame 0 is the state."""
-    file = folder / "run.json"
-    modes = {}
-    if file.is_file():
-        modes = json.loads(file.read_text(encoding="utf-8")).get("modes") or {}
-    names = {0.0: "the state"}
-    for number, frequency in enumerate(modes.get("frequencies", []), start=1):
-        if isinstance(frequency, (int, float)):
-            names[float(number)] = f"mode {number}: {frequency:.4g} Hz"
+    """Of the frames of `taut modes`, in which 0 is the state."""
+    modes = read_summary(folder).get("modes") or {}
+    frequencies = modes.get("frequencies") or []
+    names = []
     for time in times:
-        names.setdefault(time, f"mode {time:.0f}")
+        number = round(time)
+        name = f"mode {number}" if number else "the state"
+        if 0 < number <= len(frequencies) and isinstance(
+                frequencies[number - 1], (int, float)):
+            name += f": {frequencies[number - 1]:.4g} Hz"
+        names.append(name)
     return names
+
+
+def is_path(folder):
+    """Whether the times are the parameter of a continuation."""
+    file = folder / "history.csv"
+    if not file.is_file():
+        return False
+    with open(file, encoding="utf-8") as stream:
+        return "negative eigenvalues" in stream.readline()
 
 
 def read_frames(folder):
@@ -87,26 +132,30 @@ def read_frames(folder):
                       "to draw; lumped models and studies have no fields, "
                       "`taut report` shows what they have")
     data_sets = read_data_sets(file)
-    times = sorted({time for time, _ in data_sets})
-    if not times:
+    if not data_sets:
         raise Refusal(f"{file}: there is no frame in it: the run ended before "
                       "its first one")
-    last = [path for time, path in data_sets if time == times[-1]]
+    times = [time for time, _ in data_sets]
     units = {}
-    for path in last:
-        units.update(read_units(path))
-    is_modes = (folder / "modes.csv").is_file() and "mode" in units
-    names = name_modes(folder, times) if is_modes else {}
-    return Frames(times, units, is_modes, names)
+    for name in data_sets[-1][1].values():
+        units.update(read_units(folder / name))
+    if (folder / "modes.csv").is_file() and "mode" in units:
+        return Frames(file, times, name_modes(folder, times), times, units,
+                      is_modes=True)
+    if is_path(folder):
+        numbered = folder / "pictures" / "frames.pvd"
+        write_numbered(numbered, data_sets)
+        names = [f"frame {i}, parameter {numbers.format_number(time)}"
+                 for i, time in enumerate(times)]
+        return Frames(numbered, [float(i) for i in range(len(times))], names,
+                      times, units)
+    return Frames(file, times, [f"t = {time:.4g} s" for time in times], times,
+                  units)
 
 
 def has_voltage(folder):
     """Whether the case has electrodes."""
-    file = Path(folder) / "run.json"
-    if not file.is_file():
-        return False
-    changed = json.loads(file.read_text(encoding="utf-8")).get(
-        "parameters_changed", {})
+    changed = read_summary(Path(folder)).get("parameters_changed") or {}
     return any(key.startswith("Electrode ") for key in changed)
 
 

@@ -1,5 +1,6 @@
 """Calls ParaView without a screen."""
 
+import contextlib
 import json
 import os
 import shutil
@@ -9,11 +10,11 @@ from pathlib import Path
 
 from .refusal import Refusal
 
-NEEDED = {"pvbatch": "python3-paraview paraview", "xvfb-run": "xvfb",
-          "xauth": "xauth"}
-PACKAGES = "paraview python3-paraview xvfb xauth"
+NEEDED = ("pvbatch", "Xvfb")
+PACKAGES = "paraview python3-paraview xvfb"
 HOW_TO_GET_IT = ("install it by `apt install --no-install-recommends "
                  f"{PACKAGES}`, or call ./taut render, which does")
+SCREEN = "1280x1024x24"
 
 
 def find_missing():
@@ -35,18 +36,44 @@ def make_environment():
             if not key.startswith(begins)}
 
 
-def draw(plan):
-    """Draws the shots of a plan (see draw.py); what was found out."""
+@contextlib.contextmanager
+def open_screen():
+    """The DISPLAY of a screen in memory, without which pvbatch does not start.
+    The server finds a free number itself, also if many are started at once, and
+    stays as it is between two clients, else the second may find it closed."""
+    reading, writing = os.pipe()
+    with open(os.devnull, "wb") as nothing, subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", SCREEN,
+             "-nolisten", "tcp", "-noreset"], pass_fds=(writing,), stdout=nothing,
+            stderr=nothing) as server:
+        os.close(writing)
+        try:
+            with open(reading, encoding="ascii") as answer:
+                number = answer.readline().strip()
+            if not number:
+                raise RuntimeError("Xvfb, ParaView's screen, did not start")
+            yield f":{number}"
+        finally:
+            server.terminate()
+
+
+def run_script(*words):
+    """Calls pvbatch with a script and its words."""
     check_paraview()
+    with open_screen() as display:
+        return subprocess.run(
+            ["pvbatch", *map(str, words)], capture_output=True, text=True,
+            env={**make_environment(), "DISPLAY": display},
+            stdin=subprocess.DEVNULL, check=False)
+
+
+def draw(plan):
+    """Draws the shots of a plan (see drawing.py); what was found out."""
     script = Path(__file__).with_name("draw.py")
     with tempfile.TemporaryDirectory(prefix="taut_plan_") as folder:
         file = Path(folder) / "plan.json"
         file.write_text(json.dumps(plan), encoding="utf-8")
-        words = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", "pvbatch",
-                 str(script), str(file)]
-        done = subprocess.run(words, capture_output=True, text=True,
-                              env=make_environment(),
-                              stdin=subprocess.DEVNULL, check=False)
+        done = run_script(script, file)
         result = file.with_name("plan.json.done")
         if not result.is_file():
             said = (done.stdout + done.stderr).strip() or "nothing"

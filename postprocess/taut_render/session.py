@@ -14,9 +14,10 @@ TAIL = '''
 
 def find_fields():
     """Beside this script, wherever the folder was moved."""
-    here = globals().get("__file__", "")
-    beside = os.path.join(os.path.dirname(os.path.abspath(here)), "fields.pvd")
-    return beside if os.path.exists(beside) else SETTINGS["fields"]
+    folder = os.path.dirname(os.path.abspath(globals().get("__file__", "")))
+    if not os.path.exists(os.path.join(folder, SETTINGS["fields"])):
+        folder = SETTINGS["folder"]
+    return os.path.join(folder, SETTINGS["fields"])
 
 
 def open_run():
@@ -34,12 +35,14 @@ open_run()
 '''
 
 
-def write_session(folder, field, limits, is_modes):
-    folder = Path(folder).resolve()
+def write_session(folder, found, field, limits):
+    folder = folder.resolve()
     macro = Path(__file__).resolve().parents[1] / "taut_macro.py"
-    settings = {"fields": str(folder / "fields.pvd"), "field": field,
-                "limits": None if is_modes else limits,
-                "mode_scale": 1.0 if is_modes else 0.0}
+    settings = {"folder": str(folder),
+                "fields": str(found.source.resolve().relative_to(folder)),
+                "field": field,
+                "limits": None if found.is_modes else limits,
+                "mode_scale": 1.0 if found.is_modes else 0.0}
     # The docstring of the macro is about macros.
     body = macro.read_text(encoding="utf-8").split('"""', 2)[2].lstrip()
     file = folder / "open_in_paraview.py"

@@ -2,12 +2,16 @@
 
 import math
 
+import taut_numbers as numbers
+
 from . import markup
 from .charts import Axis, Chart, Series, find_finite, make_gallery
 from .histories import find_column
 from .markup import section, tag
 from .tables import count_rows
 
+# Rows that are shown at once.
+FEW = 20
 MODELS = ("film", "lumped", "finite elements", "elastica", "arc")
 
 
@@ -53,8 +57,10 @@ def make_comparison(results):
     charts = make_comparison_charts(columns) if columns else []
     return section("comparison", "Finite elements against lumped models",
                    make_differences(results.comparison),
-                   describe_values(results.comparison, {"quantities"}),
-                   make_gallery(charts) if charts else None)
+                   make_models(results.comparison.get("models")),
+                   make_gallery(charts) if charts else None,
+                   describe_values(results.comparison, "All of compare.json",
+                                   {"quantities", "models"}))
 
 
 def flatten(value, path=()):
@@ -76,21 +82,37 @@ def show_value(value):
     if isinstance(value, (int, float)):
         return markup.number(value)
     if isinstance(value, list):
-        return markup.Markup(", ".join(map(str, map(show_value, value))))
+        return [[", " if place else "", show_value(item)]
+                for place, item in enumerate(value)]
     return "–" if value is None else str(value)
 
 
-def describe_values(content, but=()):
-    """Whatever a key of run.json holds, as a table."""
+def describe_values(content, title, but=()):
+    """Whatever an object of a JSON file holds; to be unfolded if it is long."""
     if not isinstance(content, dict):
         return None
-    rows = [[" › ".join(path), markup.to_markup(show_value(value))
-             if not isinstance(value, str) else value]
-            for path, value in flatten({k: v for k, v in content.items()
-                                        if k not in but})]
-    return markup.table("Findings, in SI units", ["What", "Value"],
-                        [[a, markup.Markup(b) if isinstance(b, markup.Markup)
-                          else b] for a, b in rows]) if rows else None
+    rows = [[" › ".join(path), show_value(value)] for path, value in flatten(
+        {k: v for k, v in content.items() if k not in but})]
+    if not rows:
+        return None
+    return tag("details", tag("summary", title), markup.table(
+        f"{title}, in SI units", ["What", "Value"], rows),
+               open=len(rows) <= FEW)
+
+
+def make_models(models):
+    """One column a model, one row a finding."""
+    if not models or not all(isinstance(m, dict) for m in models):
+        return None
+    names = [model.get("name", "") for model in models]
+    findings = [dict(flatten({k: v for k, v in model.items()
+                              if k != "name" and v is not None}))
+                for model in models]
+    paths = list(dict.fromkeys(path for found in findings for path in found))
+    rows = [[" › ".join(path)] + [show_value(found.get(path))
+                                  for found in findings] for path in paths]
+    return markup.table("Findings of each model, in SI units",
+                        ["Finding"] + names, rows, "t" + "n" * len(names))
 
 
 def make_cell(column, row):
@@ -102,12 +124,22 @@ def make_cell(column, row):
     return markup.number(value)
 
 
+# Longer texts are wrapped.
+SHORT = 48
+
+
+def choose_kind(column):
+    if column.is_number:
+        return "n"
+    return "w" if all(len(text) <= SHORT for text in column.values) else "t"
+
+
 def show_columns(caption, columns):
-    head = [f"{c.name} ({c.unit})" if c.unit else c.name for c in columns]
+    head = [numbers.make_label(c.name, c.unit) for c in columns]
     rows = [[make_cell(c, row) for c in columns]
             for row in range(count_rows(columns))]
     return markup.table(caption, head, rows,
-                        "".join("n" if c.is_number else "t" for c in columns))
+                        "".join(map(choose_kind, columns)))
 
 
 def make_modes(results):
@@ -161,7 +193,13 @@ def make_motion(results):
         words = tag("p", "The motion is ", tag("strong", motion["class"]), ".")
     return section("motion", "Motion", words,
                    make_gallery(charts) if charts else None,
-                   describe_values(motion) if motion else None)
+                   describe_values(motion, "All about the motion")
+                   if motion else None)
+
+
+# Of the points of a response: no results.
+OF_A_POINT = {"direction", "settled", "periods", "period number",
+              "reproducible"}
 
 
 def split_directions(columns):
@@ -181,7 +219,7 @@ def make_response(results):
     ways = split_directions(columns)
     charts = []
     for c in columns[1:]:
-        if c.name in ("direction", "settled", "periods") or not c.is_number:
+        if c.name in OF_A_POINT or not c.is_number or c.is_empty():
             continue
         charts.append(Chart(
             c.name, Axis(x.name, x.unit, x.values), c.unit,

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import taut_numbers as numbers
 
-from .markup import Markup, tag
+from .markup import Markup, raise_exponent, tag
 
 WIDTH, HEIGHT = 330, 214
 LEFT, RIGHT, TOP, BOTTOM = 50, 12, 10, 42
@@ -15,6 +15,7 @@ BUCKETS = 280
 # The first two differ in brightness, too.
 DASHES = [None, None, "5 2", "8 2 2 2", "2 2", "12 3", "1 3"]
 N_COLOURS = len(DASHES)
+NOTHING = 1e-9
 
 
 @dataclass
@@ -163,7 +164,7 @@ def make_logarithmic_ticks(low, high):
 def draw_x_axis(low, high, to_x, is_logarithmic):
     bottom = HEIGHT - BOTTOM
     ticks = (make_logarithmic_ticks(low, high) if is_logarithmic
-             else numbers.make_ticks(low, high, 5))
+             else numbers.make_ticks(low, high, 5, most_letters=30))
     drawn = []
     for value, text in ticks:
         at = f"{to_x(value):.1f}"
@@ -201,7 +202,10 @@ def describe_range(chart):
     if not values:
         return "no values"
     scale = numbers.choose_scale(chart.unit, values)
-    low, high = (numbers.format_number(scale.factor * v)
+    # What is rounding beside the rest is nothing.
+    least = NOTHING * max(map(abs, values))
+    low, high = (numbers.format_number(scale.factor * v if abs(v) > least
+                                       else 0)
                  for v in (min(values), max(values)))
     unit = f" {scale.unit}" if scale.unit else ""
     if low == high:
@@ -243,7 +247,9 @@ def draw(chart):
     x, series, marks, x_label, _ = scale_chart(chart)
     is_logarithmic = chart.x.is_logarithmic and min(find_finite(x),
                                                     default=0) > 0
-    low_x, high_x = find_range(x, 0.0)
+    # Points at the ends stay within the frame.
+    has_marks = any(one.marks for one in series) and not is_logarithmic
+    low_x, high_x = find_range(x, 0.02 if has_marks else 0.0)
     low_y, high_y = find_range([v for s in series for v in s.values], 0.05)
     to_x = Map(low_x, high_x, LEFT, WIDTH - RIGHT, is_logarithmic)
     to_y = Map(low_y, high_y, HEIGHT - BOTTOM, TOP)
@@ -267,7 +273,8 @@ def make_figure(chart):
     _, _, _, _, unit = scale_chart(chart)
     title = numbers.make_label(chart.title[:1].upper() + chart.title[1:], unit)
     words = [tag("strong", title), " ",
-             tag("span", chart.note or describe_range(chart), class_="range")]
+             tag("span", chart.note or raise_exponent(describe_range(chart)),
+                 class_="range")]
     return tag("figure", tag("figcaption", words), make_legend(chart.series),
                draw(chart), class_="chart")
 

@@ -11,10 +11,14 @@ from .tables import find_column
 BOOK_KEEPING = {"time", "arc length", "negative eigenvalues"}
 # Energies that differ by more are not drawn in one chart.
 SAME_SIZE = 20.0
+# Swings are counted by their turns.
+MANY_TURNS, LAST_TURNS = 160, 16
 
 
 def get_times(results):
-    return find_column(results.tables["history"], "time")
+    """The first column: time, of a path its parameter, of a response its
+    frequency."""
+    return results.tables["history"][0]
 
 
 def is_margin(column):
@@ -22,7 +26,7 @@ def is_margin(column):
 
 
 def list_probes(columns):
-    return [c for c in columns if c.is_number and not c.is_empty()
+    return [c for c in columns[1:] if c.is_number and not c.is_empty()
             and c.unit != "J" and not is_margin(c)
             and c.name not in BOOK_KEEPING]
 
@@ -37,16 +41,22 @@ def make_x_axis(results):
     times = get_times(results)
     if results.is_path():
         return Axis("parameter", "", times.values)
-    return Axis("time", "s", times.values)
+    return Axis(times.name, times.unit, times.values)
 
 
 def make_ways(results):
-    """Of a path: unstable parts dashed."""
-    eigenvalues = find_column(results.tables["history"],
-                              "negative eigenvalues")
+    """Of a path: unstable parts dashed, jumps at one parameter dotted."""
+    history = results.tables["history"]
+    eigenvalues = find_column(history, "negative eigenvalues")
     if eigenvalues is None:
         return None
-    return ["--" if value > 0 else "-" for value in eigenvalues.values]
+    parameters = get_times(results).values
+    ways = ["--" if value > 0 else "-" for value in eigenvalues.values]
+    for row in range(1, len(ways)):
+        if math.isclose(parameters[row - 1], parameters[row], rel_tol=1e-9,
+                        abs_tol=1e-12):
+            ways[row] = ":"
+    return ways
 
 
 def make_marks(results):
@@ -69,6 +79,32 @@ def make_chart(results, column, marks):
                  marks)
 
 
+def count_turns(values):
+    """How often a history goes up after down or down after up."""
+    steps = [b - a for a, b in zip(values, values[1:]) if b != a]
+    return sum(a * b < 0 for a, b in zip(steps, steps[1:]))
+
+
+def make_end(results, column):
+    """The last few swings of a history that has too many to be told apart."""
+    turns = count_turns(find_finite(column.values))
+    if results.is_path() or turns < MANY_TURNS:
+        return []
+    rows = max(round(len(column.values) * LAST_TURNS / turns), 2)
+    axis = make_x_axis(results)
+    axis.values = axis.values[-rows:]
+    return [Chart(f"{column.name}, at the end", axis, column.unit,
+                  [Series(column.name, column.values[-rows:])])]
+
+
+def make_charts(results, probes, marks):
+    charts = []
+    for column in probes:
+        charts.append(make_chart(results, column, marks))
+        charts += make_end(results, column)
+    return charts
+
+
 def make_extremes(column):
     finite = find_finite(column.values) or [math.nan]
     return [markup.quantity(value, column.unit)
@@ -78,9 +114,9 @@ def make_extremes(column):
 def explain(results, marks):
     words = []
     if marks:
-        words.append("Dotted lines: events.")
+        words.append("Vertical lines: events.")
     if results.is_path():
-        words.append("Solid: stable; dashed: unstable.")
+        words.append("Solid: stable; dashed: unstable; dotted: jumps.")
     return tag("p", " ".join(words)) if words else None
 
 
@@ -92,7 +128,7 @@ def make_probes(results):
     rows = [[c.name, *make_extremes(c)] for c in probes]
     return section(
         "histories", "Histories",
-        make_gallery([make_chart(results, c, marks) for c in probes]),
+        make_gallery(make_charts(results, probes, marks)),
         explain(results, marks),
         markup.table("Probes from the first to the last row of history.csv",
                      ["Probe", "First", "Lowest", "Highest", "Last"], rows,
@@ -141,7 +177,10 @@ def make_energies(results):
                     note=" " if len(group) > 1 else "")
               for group in group_by_size(energies)]
     balance = find_column(history, "energy balance")
-    if balance and any(find_finite(balance.values)):
+    # Equilibria are not balanced: their source is not followed.
+    is_balanced = not results.summary or (results.summary.get(
+        "energy_balance") or {}).get("absolute") is not None
+    if balance and is_balanced and any(find_finite(balance.values)):
         charts.append(Chart("residual of the energy balance",
                             make_x_axis(results), "J",
                             [Series(balance.name, balance.values)]))

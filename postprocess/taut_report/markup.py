@@ -65,11 +65,12 @@ def section(identifier, title, *children):
     return tag("section", tag("h2", title), children, id=identifier)
 
 
-def table(caption, head, rows, kinds=None):
-    """`kinds`: "n" for the columns of numbers, "t" for text, one letter each.
-    Wide tables scroll inside."""
+def table(caption, head, rows, kinds=None, stacks=False):
+    """`kinds`: "n" for the columns of numbers, "t" for text, "w" for words that
+    stay in one line, one letter each. Wide tables scroll inside, or on a phone
+    their cells are stacked."""
     kinds = kinds or "t" * len(head)
-    classes = [{"n": "number", "t": None}[kind] for kind in kinds]
+    classes = [{"n": "number", "t": None, "w": "words"}[kind] for kind in kinds]
     body = []
     for row in rows:
         cells = [tag("th", row[0], scope="row", class_=classes[0])]
@@ -80,8 +81,8 @@ def table(caption, head, rows, kinds=None):
              for cell, kind in zip(head, classes)]
     return tag("div", tag("table", tag("caption", caption),
                           tag("thead", tag("tr", heads)), tag("tbody", body)),
-               class_="scroll", tabindex="0", role="region",
-               aria_label=caption)
+               class_="scroll stack" if stacks else "scroll", tabindex="0",
+               role="region", aria_label=caption)
 
 
 def facts(pairs):

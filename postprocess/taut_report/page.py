@@ -15,6 +15,7 @@ def read_style():
 def list_sections(results, problem):
     if results.is_study():
         return [study_parts.make_failures(results),
+                study_parts.make_overview(results),
                 study_parts.make_study_plots(results),
                 study_parts.make_results(results),
                 study_parts.make_cases(results)]
@@ -23,11 +24,11 @@ def list_sections(results, problem):
             make_pictures(results, problem),
             analyses.make_modes(results),
             analyses.make_comparison(results),
-            histories.make_probes(results),
+            None if results.is_response() else histories.make_probes(results),
             run_parts.make_events(results),
             analyses.make_motion(results),
             analyses.make_response(results),
-            histories.make_energies(results),
+            None if results.is_response() else histories.make_energies(results),
             run_parts.make_parameters(results),
             run_parts.make_record(results)]
 
@@ -85,7 +86,7 @@ def make_page(results, problem=""):
                tag("style", Markup(read_style())))
     top = tag("header", tag("p", describe_run(results), class_="kicker"),
               tag("h1", title), banner, make_contents(sections), class_="top")
-    versions = results.summary.get("versions") or {}
+    versions = (results.summary or results.study).get("versions") or {}
     made = f"Made by Taut {versions.get('taut', '')}".strip()
     body = tag("body", top, tag("main", sections),
                tag("footer", tag("p", f"{made}. All quantities in SI units "

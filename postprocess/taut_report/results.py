@@ -37,6 +37,10 @@ class Results:
     def is_study(self):
         return bool(self.study) or bool(self.tables["study"])
 
+    def is_response(self):
+        """The history of a frequency response repeats its points."""
+        return bool(self.tables["response"])
+
     def is_path(self):
         return any(column.name == "negative eigenvalues"
                    for column in self.tables["history"])

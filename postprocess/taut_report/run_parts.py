@@ -172,7 +172,8 @@ def make_key_facts(results):
     """What is looked for first."""
     summary, pairs = results.summary, []
     counters = summary.get("counters") or {}
-    if "time_reached" in summary and not results.is_path():
+    if "time_reached" in summary and not (results.is_path()
+                                          or results.is_response()):
         pairs.append(("time reached",
                       markup.quantity(summary["time_reached"], "s")))
     total = (summary.get("timings") or {}).get("total")
@@ -186,6 +187,6 @@ def make_key_facts(results):
         pairs.append(("MPI ranks", ranks))
     pairs.append(("events", count_rows(results.tables["events"])))
     relative = (summary.get("energy_balance") or {}).get("relative")
-    if relative is not None:
+    if relative is not None and not results.is_response():
         pairs.append(("energy balance, relative", markup.number(relative, 2)))
     return section("overview", "Overview", markup.facts(pairs))

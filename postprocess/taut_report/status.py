@@ -55,7 +55,7 @@ def make_banner(results):
     status = results.summary.get("status", "failed")
     kind, headline = HEADLINES.get(status, ("failed", f"✕ {status}"))
     time = results.summary.get("time_reached")
-    if isinstance(time, (int, float)):
+    if isinstance(time, (int, float)) and not results.is_response():
         where = "parameter" if results.is_path() else "t"
         unit = "" if results.is_path() else "s"
         headline += f" at {where} = {numbers.format_quantity(time, unit)}"

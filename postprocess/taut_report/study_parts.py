@@ -14,7 +14,7 @@ from .tables import Column, count_rows, find_column
 
 # Between the variables and after the results.
 OWN_COLUMNS = {"case", "time reached", "seconds", "status", "reason", "folder"}
-MOST_CURVES, MOST_ROWS, MOST_BAD = 7, 500, 50
+MOST_CURVES, MOST_ROWS, MOST_BAD, MOST_OPEN_ROWS = 7, 500, 50, 40
 BAD = ("failed", "refused", "interrupted")
 SPREAD = 50.0
 
@@ -43,27 +43,59 @@ def count_statuses(results):
     return Counter(status.values) if status else Counter()
 
 
+def choose_headline(results, counts):
+    """Class of the banner and its headline."""
+    bad = sum(counts[word] for word in BAD)
+    ran = sum(counts.values())
+    total = (results.study.get("cases") or {}).get("total", ran)
+    if bad:
+        return "failed", f"✕ {bad} of {total} cases did not succeed"
+    if ran < total or not results.study or not ran:
+        return "interrupted", f"❚❚ Not finished: {ran} of {total} cases done"
+    if results.study.get("status") == "interrupted":
+        return "interrupted", "❚❚ Interrupted"
+    return "completed", f"✓ All {total} cases done"
+
+
 def make_banner(results):
     counts = count_statuses(results)
-    total = sum(counts.values())
-    bad = sum(counts[word] for word in BAD)
-    said = ", ".join(f"{count} {word or 'not run'}"
-                     for word, count in counts.most_common())
-    finished = bool(results.study)
-    if bad:
-        kind = "failed"
-        headline = f"✕ {bad} of {total} cases did not succeed"
-    elif not finished or not total:
-        kind, headline = "interrupted", "❚❚ The study is not finished"
-    else:
-        kind, headline = "completed", f"✓ All {total} cases done"
+    kind, headline = choose_headline(results, counts)
     lines = [tag("p", headline, class_="word")]
-    if said:
+    if counts:
+        said = ", ".join(f"{count} {word or 'without status'}"
+                         for word, count in counts.most_common())
         lines.append(tag("p", said + "."))
-    if not finished:
-        lines.append(tag("p", "There is no study.json: the same command goes "
-                              "on where it was."))
+    if kind == "interrupted":
+        lines.append(tag("p", "The same command goes on where it was."))
     return tag("div", lines, class_=f"status {kind}", role="status")
+
+
+def describe_variable(variable):
+    values = variable.get("values") or []
+    shown = ", ".join(map(str, values[:8])) + (", …" if len(values) > 8 else "")
+    return [variable.get("name", ""), variable.get("key", ""), len(values),
+            shown, numbers.write_unit(variable.get("unit", ""))]
+
+
+def make_overview(results):
+    """What was varied and how long it took."""
+    study = results.study
+    words = None
+    if study.get("case_file"):
+        words = tag("p", f"{study.get('command', 'run')} of ",
+                    tag("code", study["case_file"]))
+    pairs = [("cases", (study.get("cases") or {}).get("total")),
+             ("wall time", markup.quantity(study["seconds"], "s", 3)
+              if "seconds" in study else None)]
+    variables = [v for v in study.get("variables") or []
+                 if isinstance(v, dict)]
+    table = markup.table("What was varied",
+                         ["Variable", "Key", "Count", "Values", "Unit"],
+                         [describe_variable(v) for v in variables],
+                         "ttntt", stacks=True) if variables else None
+    facts = [(name, value) for name, value in pairs if value]
+    return section("overview", "Overview", words,
+                   markup.facts(facts) if facts else None, table)
 
 
 def describe_case(results, row):
@@ -97,7 +129,7 @@ def make_failures(results):
     if len(bad) > MOST_BAD:
         caption += f"; the first {MOST_BAD} of {len(bad)}"
     return section("failures", "Failed cases", markup.table(
-        caption, ["Case", "Status", "Reason", "Folder"], rows))
+        caption, ["Case", "Status", "Reason", "Folder"], rows, stacks=True))
 
 
 def make_places(column):
@@ -170,6 +202,16 @@ def make_curves(places, abscissa, result, series):
                                    spans_decades(x)), result.unit, curves)
 
 
+def choose_abscissae(table, variables):
+    """The variable of most values, the others being curves; every variable if
+    the curves would be too many."""
+    longest = max(variables, key=lambda v: len(set(map(str, v.values))))
+    others = [v.name for v in variables if v is not longest]
+    if len(group_rows(table, others)) <= MOST_CURVES:
+        return [longest]
+    return variables
+
+
 def make_results(results):
     table = results.tables["study"]
     variables = [find_column(table, name) for name in list_variables(results)]
@@ -178,13 +220,8 @@ def make_results(results):
     if not variables or not found:
         return None
     charts = []
-    for place, abscissa in enumerate(variables):
+    for abscissa in choose_abscissae(table, variables):
         others = [v.name for v in variables if v is not abscissa]
-        # One variable is enough if the others are the curves.
-        if place and len(group_rows(table, others)) > MOST_CURVES:
-            continue
-        if place and len(set(map(str, variables[0].values))) <= MOST_CURVES:
-            continue
         charts += [make_chart(table, abscissa, others, c) for c in found]
     return section("results", "Results", make_gallery(charts))
 
@@ -203,8 +240,11 @@ def make_cases(results):
     caption = f"All {count} cases"
     if count > MOST_ROWS:
         caption = f"The first {MOST_ROWS} of {count} cases; study.csv has all"
-    without_reason = [c for c in shorten(table) if c.name != "reason"]
-    return section("cases", "Cases", show_columns(caption, without_reason))
+    shown = show_columns(caption, [c for c in shorten(table)
+                                   if c.name != "reason"])
+    if count > MOST_OPEN_ROWS:
+        shown = tag("details", tag("summary", f"Table of {count} cases"), shown)
+    return section("cases", "Cases", shown)
 
 
 def make_study_plots(results):

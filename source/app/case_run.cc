@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 
 namespace taut::app
@@ -73,7 +74,7 @@ std::string describe(const study::ModesReport& report)
     text += fmt::format("\n{:4}  {:12.6g} Hz", i + 1, mode.frequency());
     if (mode.square < 0)
       text += fmt::format("  unstable, omega^2 = {:.6g} 1/s^2", mode.square);
-    if (mode.damping_ratio != 0)
+    if (std::abs(mode.damping_ratio) > 1e-9)
       text += fmt::format("  damping ratio {:.3g}", mode.damping_ratio);
   }
   return text;

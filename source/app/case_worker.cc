@@ -62,7 +62,8 @@ study::RunSummary run(const io::CaseJob& job, const io::CaseFile& case_file,
     };
     return summary;
   }
-  const io::OutputFolder folder{job.folder};
+  const bool is_long = case_file.content.model == "film";
+  const io::OutputFolder folder{job.folder, is_long};
   if (job.resume && task == Task::run)
     if (const auto summary = resume(case_file, folder, communicator, record))
       return *summary;

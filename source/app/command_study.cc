@@ -45,7 +45,7 @@ std::string get_study_folder(const StudyArguments& arguments,
 void list_cases(const io::StudyFile& study)
 {
   const study::StudyDescription& content = study.content;
-  for (const study::StudyCase& item : io::make_cases(study))
+  for (const study::StudyCase& item : study.cases)
   {
     std::string line = std::to_string(item.number) + ":";
     for (std::size_t i = 0; i < item.values.size(); ++i)

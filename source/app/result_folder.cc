@@ -28,23 +28,21 @@ std::vector<std::string> list_neighbours(const fs::path& folder)
 {
   std::vector<std::string> names;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder.parent_path(), error))
+  for (const auto& entry : fs::directory_iterator(
+           folder.parent_path().empty() ? "." : folder.parent_path(), error))
     if (entry.is_directory(error) && holds_results(entry.path()))
       names.push_back(entry.path().filename());
   return names;
 }
 
+/// Of a path as the user wrote it, without a slash at its end.
 std::string suggest_neighbour(const fs::path& folder)
 {
   const std::string nearest =
       nearest_name(folder.filename(), list_neighbours(folder));
   if (nearest.empty())
     return "";
-  return "; did you mean '" +
-         (folder.parent_path() / nearest)
-             .lexically_proximate(fs::current_path())
-             .string() +
-         "'?";
+  return "; did you mean '" + (folder.parent_path() / nearest).string() + "'?";
 }
 } // namespace
 
@@ -52,8 +50,7 @@ void check_result_folder(const std::string& folder)
 {
   if (fs::is_directory(folder) && holds_results(folder))
     return;
-  // The last part of a path with a slash at its end is empty.
-  fs::path path = fs::absolute(folder).lexically_normal();
+  fs::path path = fs::path(folder).lexically_normal();
   if (path.filename().empty())
     path = path.parent_path();
   const std::string problem =

@@ -9,6 +9,7 @@
 #include <taut/io/study_table.h>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -43,7 +44,7 @@ public:
   StudyRun(const io::StudyFile& study, const StudyOptions& options,
            WorkerPool& pool)
       : study_(study), folder_{options.folder}, pool_(pool),
-        cases_(io::make_cases(study)), journal_(open_journal(options)),
+        cases_(study.cases), journal_(open_journal(options)),
         log_(folder_.log()), outcomes_(journal_.outcomes())
   {
     io::replace_file(folder_.parameters(), study.effective_parameters);
@@ -97,14 +98,14 @@ private:
   const io::StudyFile& study_;
   const io::StudyFolder folder_;
   WorkerPool& pool_;
-  const std::vector<study::StudyCase> cases_;
+  const std::vector<study::StudyCase>& cases_;
   io::StudyJournal journal_;
   io::RunLog log_;
   io::CaseOutcomes outcomes_;
   /// Indices of the cases to compute, the next at the end.
   std::vector<std::size_t> missing_;
   /// Of this call.
-  std::size_t computed_ = 0, to_compute_ = 0;
+  std::size_t computed_ = 0, reported_ = 0, to_compute_ = 0;
   /// Failures that the log names.
   std::size_t told_ = 0;
   bool stopping_ = false;
@@ -279,9 +280,13 @@ void StudyRun::record(const io::CaseOutcome& outcome)
 
 void StudyRun::report_progress()
 {
+  // Nothing new is no news, but on a terminal the time goes on.
+  if (computed_ == reported_ && isatty(STDOUT_FILENO) == 0)
+    return;
   log_.report(
       [&]
       {
+        reported_ = computed_;
         const double seconds = get_seconds_since(began_);
         const double rate = double(computed_) / seconds;
         const auto counts = io::count_outcomes(get_state());

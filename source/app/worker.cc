@@ -65,8 +65,8 @@ std::vector<std::string> make_environment()
   }
   all.insert(all.end(),
              {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
-              "OMPI_MCA_btl=self", "OMP_NUM_THREADS=1",
-              "OPENBLAS_NUM_THREADS=1"});
+              "OMPI_MCA_btl=self", "OMPI_MCA_ess_singleton_isolated=1",
+              "OMP_NUM_THREADS=1", "OPENBLAS_NUM_THREADS=1"});
   return all;
 }
 

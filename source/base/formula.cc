@@ -74,6 +74,8 @@ bool is_variable_name(const std::string& name)
 {
   const auto is_part = [](const unsigned char c)
   { return std::isalnum(c) != 0 || c == '_'; };
+  if (mu::Parser().GetFunDef().count(name) > 0)
+    return false;
   if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) != 0 ||
       !std::all_of(name.begin(), name.end(), is_part))
     return false;

@@ -364,7 +364,7 @@ void check_case(const CaseText& text, const CaseDraft& draft)
   else if (draft.content.model == "film")
     check_device(text, draft);
   check_times(text, draft.content);
-  check_motion(text, draft.content);
   check_frequency_response(text, draft.content);
+  check_motion(text, draft.content);
 }
 } // namespace taut::io

@@ -73,7 +73,8 @@ void declare_motion(Declarations& all, const CaseText& text,
                     study::Case& content)
 {
   all.allow_section({}, "Motion", false);
-  if (!text.find({"Motion"}))
+  // An option may add the section to a case without one.
+  if (!text.find({"Motion"}) && !text.find({"Motion"}, "Of"))
     return;
   content.motion.emplace();
   declare_motion_keys(

@@ -335,7 +335,11 @@ void declare_lumped_resonator(Declarations& all,
                 number(positive(), "V/m"),
                 "largest true field that the film stands")
       .required("Voltage", resonator.voltage, signal("V"),
-                "voltage on the active strip");
+                "voltage on the active strip")
+      .optional("Hold time", resonator.hold_time, number(not_negative(), "s"),
+                "run.json tells the highest voltage to which the source can "
+                "rise and then stay so long without a failure; 0 does not seek "
+                "it");
 }
 
 void declare_lumped_demes(Declarations& all, LumpedDemesDescription& demes)

@@ -36,6 +36,7 @@ std::string keep_rows(const std::string& file, const std::string& header,
   }
   return content.substr(0, end);
 }
+
 /// `nan` is what to_field writes of a number that is none.
 std::vector<double> read_fields(const std::string& file,
                                 const std::size_t line_number,
@@ -60,7 +61,10 @@ CsvFile::CsvFile(const std::string& file,
     : file_(file)
 {
   const std::string first = make_csv_line(header);
-  replace_file(file, rows > 0 ? keep_rows(file, first, rows) : first);
+  if (rows > 0)
+    replace_file(file, keep_rows(file, first, rows));
+  else
+    replace_file(file, first, false);
   stream_.open(file, std::ios::app);
 }
 

@@ -2,6 +2,8 @@
 #include <taut/base/nearest_name.h>
 #include <taut/io/declarations.h>
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -106,17 +108,10 @@ Section Declarations::section(const SectionPath& path,
 void Declarations::declare(const Parameter& parameter,
                            const std::function<void(const std::string&)>& take)
 {
-  Inside inside(handler_, parameter.section);
-  handler_.declare_entry(parameter.key, parameter.default_text,
-                         FormatPattern(parameter.check, parameter.required),
-                         parameter.documentation);
-  handler_.add_action(parameter.key,
-                      [take](const std::string& text)
-                      {
-                        if (!text.empty())
-                          take(text);
-                      });
+  indices_[join(parameter.section, parameter.key)] = parameters_.size();
   parameters_.push_back(parameter);
+  texts_.push_back(parameter.default_text);
+  takers_.push_back(take);
 }
 
 void Declarations::allow_section(const SectionPath& parent,
@@ -157,23 +152,40 @@ void Declarations::require_known(const Entry& entry) const
 void Declarations::set_text(const SectionPath& section, const std::string& key,
                             const std::string& value)
 {
-  Inside inside(handler_, section);
-  handler_.set(key, value);
+  const std::size_t index = get_index(section, key);
+  texts_[index] = value;
+  if (!value.empty())
+    takers_[index](value);
 }
 
 std::string Declarations::get_text(const Parameter& parameter) const
 {
-  Inside inside(handler_, parameter.section);
-  return handler_.get(parameter.key);
+  return texts_[get_index(parameter.section, parameter.key)];
+}
+
+std::size_t Declarations::get_index(const SectionPath& section,
+                                    const std::string& key) const
+{
+  return indices_.at(join(section, key));
 }
 
 void Declarations::write(std::ostream& stream) const
 {
+  dealii::ParameterHandler handler;
+  for (std::size_t i = 0; i < parameters_.size(); ++i)
+  {
+    const Parameter& parameter = parameters_[i];
+    const Inside inside(handler, parameter.section);
+    handler.declare_entry(parameter.key, parameter.default_text,
+                          FormatPattern(parameter.check, parameter.required),
+                          parameter.documentation);
+    handler.set(parameter.key, texts_[i]);
+  }
   std::stringstream printed;
-  handler_.print_parameters(
-      printed, static_cast<dealii::ParameterHandler::OutputStyle>(
-                   dealii::ParameterHandler::PRM |
-                   dealii::ParameterHandler::KeepDeclarationOrder));
+  handler.print_parameters(printed,
+                           static_cast<dealii::ParameterHandler::OutputStyle>(
+                               dealii::ParameterHandler::PRM |
+                               dealii::ParameterHandler::KeepDeclarationOrder));
   // A required key has no default to be told.
   const std::string no_default = "# default: ";
   for (std::string line; std::getline(printed, line);)
@@ -187,10 +199,11 @@ void Declarations::write(std::ostream& stream) const
 const Parameter* Declarations::find(const SectionPath& section,
                                     const std::string& key) const
 {
-  for (const Parameter& parameter : parameters_)
-    if (parameter.section == section && parameter.key == key)
-      return &parameter;
-  return nullptr;
+  const auto index = indices_.find(join(section, key));
+  // A key with a '/' in it is none of a section.
+  return index == indices_.end() || parameters_[index->second].key != key
+             ? nullptr
+             : &parameters_[index->second];
 }
 
 bool Declarations::knows(const SectionPath& section) const

@@ -21,9 +21,8 @@ namespace
                            std::strerror(errno));
 }
 
-/// Writes everything and waits for the disk.
 void write_down(const int descriptor, const std::string& content,
-                const std::string& file)
+                const std::string& file, const bool wait_for_disk)
 {
   std::size_t written = 0;
   while (written < content.size())
@@ -35,7 +34,7 @@ void write_down(const int descriptor, const std::string& content,
     if (count > 0)
       written += count;
   }
-  if (fsync(descriptor) != 0)
+  if (wait_for_disk && fsync(descriptor) != 0)
     fail(file);
 }
 } // namespace
@@ -48,7 +47,8 @@ std::string read_file(const std::string& file)
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-void replace_file(const std::string& file, const std::string& content)
+void replace_file(const std::string& file, const std::string& content,
+                  const bool wait_for_disk)
 {
   const std::string beside = file + ".new";
   const int descriptor =
@@ -57,7 +57,7 @@ void replace_file(const std::string& file, const std::string& content)
     fail(beside);
   try
   {
-    write_down(descriptor, content, beside);
+    write_down(descriptor, content, beside, wait_for_disk);
   }
   catch (...)
   {

@@ -42,7 +42,8 @@ void FolderOutput::begin(const std::vector<study::Column>& columns)
                                              resumed_.history_rows);
   events_ =
       std::make_unique<EventsWriter>(folder_.events(), resumed_.event_rows);
-  replace_file(folder_.parameters(), case_file_.effective_parameters);
+  replace_file(folder_.parameters(), case_file_.effective_parameters,
+               folder_.wait_for_disk);
   const auto& procedure = run_case.procedure;
   log_->set_interval(resumed_.history_rows > 0 ? resumed_.time
                                                : procedure.start_time,
@@ -136,7 +137,8 @@ void FolderOutput::finish(const study::RunSummary& summary)
     return;
   write_tables(summary);
   replace_file(folder_.summary(),
-               make_run_json(summary, machine, case_file_.changed_parameters));
+               make_run_json(summary, machine, case_file_.changed_parameters),
+               folder_.wait_for_disk);
   say(fmt::format("{} at t = {:.6g} s{}{}; output in {}",
                   to_text(summary.status), summary.time_reached,
                   summary.reason.empty() ? "" : ": ", summary.reason,

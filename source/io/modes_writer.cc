@@ -35,8 +35,7 @@ void set_vector(const std::vector<double>& motion, const fe::LocalNode node,
 {
   const unsigned int first = patch.data.n_rows() - n_place_rows - 3;
   for (unsigned int d = 0; d < 3; ++d)
-    patch.data(first + d, point) =
-        motion.empty() ? 0. : motion[3 * node + d];
+    patch.data(first + d, point) = motion.empty() ? 0. : motion[3 * node + d];
 }
 
 template <class Patches>

@@ -17,7 +17,8 @@ std::vector<ChangedParameter> find_changed(const Declarations& all)
     const std::string value = all.get_text(parameter);
     if (parameter.required)
       changed.push_back({join(parameter.section, parameter.key), "", value});
-    else if (parameter.normalise(value) != parameter.default_text)
+    else if (value != parameter.default_text &&
+             parameter.normalise(value) != parameter.default_text)
       changed.push_back({join(parameter.section, parameter.key),
                          parameter.default_text, value});
   }

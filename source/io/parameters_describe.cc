@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <ostream>
 #include <set>
 
@@ -45,13 +46,19 @@ std::string make_cell(std::string text)
   return text;
 }
 
+std::string start_upper(std::string text)
+{
+  text.at(0) = static_cast<char>(std::toupper(text.at(0)));
+  return text;
+}
+
 void describe_section_on_page(std::ostream& stream, const Declarations& all,
                               const SectionDocumentation& section)
 {
   stream << fmt::format("\n## {}\n\n{}.\n\n",
                         section.section.empty() ? "Top level"
                                                 : join(section.section),
-                        section.meaning);
+                        start_upper(section.meaning));
   bool first = true;
   for (const Parameter& parameter : all.parameters())
   {
@@ -121,15 +128,20 @@ void describe(std::ostream& stream, const std::string& section)
 
 void describe_as_page(std::ostream& stream)
 {
-  Declarations all;
-  CaseDraft draft;
-  declare_everything(all, draft);
-  stream << "# Parameters of a case\n\n"
+  Declarations of_case, of_study;
+  CaseDraft case_draft;
+  StudyDraft study_draft;
+  declare_everything(of_case, case_draft);
+  declare_any_sweep(of_study, study_draft);
+  stream << "# Parameters of cases and studies\n\n"
             "What `taut describe --markdown` prints. Sections called `KIND "
             "NAME` may be given any number of times, under names of your own; "
             "a section inside another stands behind a slash. Values are in SI "
             "units and stand without them.\n";
-  for (const SectionDocumentation& section : all.sections())
-    describe_section_on_page(stream, all, section);
+  for (const SectionDocumentation& section : of_case.sections())
+    describe_section_on_page(stream, of_case, section);
+  stream << "\n# Studies\n";
+  for (const SectionDocumentation& section : of_study.sections())
+    describe_section_on_page(stream, of_study, section);
 }
 } // namespace taut::io

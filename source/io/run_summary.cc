@@ -148,6 +148,8 @@ std::string make_run_json(const study::RunSummary& summary,
     run["other_branch"] = make_row(summary.columns, summary.other_branch);
   if (summary.modes)
     run["modes"] = make_modes(*summary.modes);
+  if (!summary.findings.empty())
+    run["findings"] = summary.findings;
   run["notes"] = summary.notes;
   run["counters"] = summary.counters;
   run["timings"] = summary.timings;

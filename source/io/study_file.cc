@@ -287,6 +287,7 @@ StudyFile read_study_file(const std::string& file,
   std::ostringstream effective;
   all.write(effective);
   result.effective_parameters = effective.str();
+  set_cases(result);
   return result;
 }
 } // namespace taut::io

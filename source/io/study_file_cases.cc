@@ -36,13 +36,41 @@ std::vector<SectionPath> get_owners(const study::StudyDescription& study)
   return owners;
 }
 
-void check_keys(const StudyFile& study, const study::StudyCase& study_case,
-                const std::vector<SectionPath>& owners)
+/// The text of a case with its keys at the end.
+CaseText make_text(const StudyFile& study, const study::StudyCase& study_case)
 {
   CaseText text = study.case_text;
-  const std::size_t n_keys = study_case.keys.size();
   for (const std::string& option : get_overrides(study_case))
     text.override_entry(option);
+  return text;
+}
+
+std::string find_unit(const Declarations& all, const Entry& entry)
+{
+  for (const Parameter& parameter : all.parameters())
+    if (parameter.section == entry.section && parameter.key == entry.key)
+      return parameter.unit == "dimensionless" ? "1" : parameter.unit;
+  return "";
+}
+
+/// Gives variables the units of their keys.
+void complete_units(study::StudyDescription& study, const Declarations& all,
+                    const std::vector<Entry>& keys)
+{
+  std::size_t i = 0;
+  for (study::SweepVariable& variable : study.variables)
+    if (!variable.key.empty())
+    {
+      const std::string unit = find_unit(all, keys[i++]);
+      if (variable.unit.empty())
+        variable.unit = unit;
+    }
+}
+
+void check_keys(StudyFile& study, const study::StudyCase& study_case,
+                const std::vector<SectionPath>& owners)
+{
+  const CaseText text = make_text(study, study_case);
   Declarations all;
   CaseDraft draft;
   try
@@ -54,14 +82,15 @@ void check_keys(const StudyFile& study, const study::StudyCase& study_case,
     // A value is wrong: the case will be refused when its turn comes.
     return;
   }
-  // The overridden keys stand at the end of the text.
-  const std::vector<Entry>& entries = text.entries();
-  for (std::size_t i = 0; i + n_keys < entries.size(); ++i)
-    all.require_known(entries[i]);
-  for (std::size_t i = 0; i < n_keys; ++i)
+  const auto first_key = text.entries().end() - study_case.keys.size();
+  const std::vector<Entry> own(text.entries().begin(), first_key);
+  const std::vector<Entry> keys(first_key, text.entries().end());
+  for (const Entry& entry : own)
+    all.require_known(entry);
+  for (std::size_t i = 0; i < keys.size(); ++i)
     try
     {
-      all.require_known(entries[entries.size() - n_keys + i]);
+      all.require_known(keys[i]);
     }
     catch (const BadInput& problem)
     {
@@ -69,6 +98,7 @@ void check_keys(const StudyFile& study, const study::StudyCase& study_case,
                         "the case has no '" + study_case.keys[i].key +
                             "': " + problem.message());
     }
+  complete_units(study.content, all, keys);
 }
 } // namespace
 
@@ -80,14 +110,13 @@ std::vector<std::string> get_overrides(const study::StudyCase& study_case)
   return overrides;
 }
 
-std::vector<study::StudyCase> make_cases(const StudyFile& study)
+void set_cases(StudyFile& study)
 {
-  auto cases = study::expand(study.content);
+  study.cases = study::expand(study.content);
   const auto owners = get_owners(study.content);
   std::set<std::string> checked;
-  for (const study::StudyCase& study_case : cases)
+  for (const study::StudyCase& study_case : study.cases)
     if (checked.insert(get_words(study_case)).second)
       check_keys(study, study_case, owners);
-  return cases;
 }
 } // namespace taut::io

@@ -32,18 +32,6 @@ void validate_start(const Demes& demes, const DemesState& start)
                    number_text(start.velocity));
 }
 
-void validate(const DemesRunOptions& options)
-{
-  if (!(options.end_time >= options.start_time) ||
-      !std::isfinite(options.end_time))
-    throw BadInput("a run must end after it starts, not go from tau = " +
-                   number_text(options.start_time) +
-                   " to tau = " + number_text(options.end_time));
-  if (!(options.tolerance >= 1e-13 && options.tolerance <= 1e-3))
-    throw BadInput("the tolerance must lie between 1e-13 and 1e-3, got " +
-                   number_text(options.tolerance));
-}
-
 bool is_straight(const Demes& demes, const DemesState& start)
 {
   return demes.eccentricity == 0 && demes.rest_angle == 0 && start.angle == 0;
@@ -292,6 +280,18 @@ private:
   double source_work_ = 0;
 };
 } // namespace
+
+void validate(const DemesRunOptions& options)
+{
+  if (!(options.end_time >= options.start_time) ||
+      !std::isfinite(options.end_time))
+    throw BadInput("a run must end after it starts, not go from tau = " +
+                   number_text(options.start_time) +
+                   " to tau = " + number_text(options.end_time));
+  if (!(options.tolerance >= 1e-13 && options.tolerance <= 1e-3))
+    throw BadInput("the tolerance must lie between 1e-13 and 1e-3, got " +
+                   number_text(options.tolerance));
+}
 
 DemesState make_flat_start(const Demes& demes, const double seed)
 {

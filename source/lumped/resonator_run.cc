@@ -8,8 +8,6 @@
 
 namespace taut::lumped
 {
-namespace
-{
 void validate(const ResonatorRunOptions& options)
 {
   if (!(options.end_time >= options.start_time) ||
@@ -19,6 +17,8 @@ void validate(const ResonatorRunOptions& options)
                    number_text(options.end_time) + " s");
 }
 
+namespace
+{
 std::vector<double> make_internal(const Resonator& resonator,
                                   const ResonatorRunOptions& options)
 {

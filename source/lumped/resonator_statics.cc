@@ -6,7 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 
+#include "row_times.h"
+#include <boost/math/tools/roots.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 namespace taut::lumped
@@ -135,6 +138,21 @@ double compute_path_end(const Resonator& resonator)
   return std::min(compute_slack_stretch(resonator) * (1 + 1e-9),
                   limit * (1 - 1e-12));
 }
+
+/// When a voltage of either sign first reaches the limit between two times at
+/// the second of which it has.
+double find_crossing(const std::function<double(double)>& get_voltage,
+                     const double limit, double before, double after)
+{
+  const auto reached = [&](const double time)
+  { return std::abs(get_voltage(time)) >= limit; };
+  if (reached(before))
+    return before;
+  const auto bracket = boost::math::tools::bisect(
+      [&](const double time) { return reached(time) ? 1. : -1.; }, before,
+      after, boost::math::tools::eps_tolerance<double>());
+  return bracket.second;
+}
 } // namespace
 
 ResonatorRow find_relaxed_state(const Resonator& resonator,
@@ -160,6 +178,34 @@ ResonatorEvent find_static_failure(const Resonator& resonator)
                                start + length * (piece + 1) / pieces))
       return *failure;
   throw SolverFailed("no static failure was found up to the Gent limit");
+}
+
+ResonatorRun run_static(const Resonator& resonator,
+                        const ResonatorRunOptions& options)
+{
+  validate(options);
+  const auto get_voltage = [&](const double time)
+  { return resonator.voltage.value(time) / resonator.voltage_unit; };
+  ResonatorRun run;
+  run.failure = find_static_failure(resonator);
+  const double limit = run.failure->row.voltage;
+  double before = options.start_time;
+  for (const double time : make_row_times(options.start_time, options.end_time,
+                                          options.output_times))
+  {
+    const double voltage = get_voltage(time);
+    if (run.failure->at_start || std::abs(voltage) >= limit)
+    {
+      run.failure->row.time = find_crossing(get_voltage, limit, before, time);
+      run.rows.push_back(run.failure->row);
+      run.events.push_back(*run.failure);
+      return run;
+    }
+    run.rows.push_back(find_relaxed_state(resonator, voltage));
+    run.rows.back().time = before = time;
+  }
+  run.failure.reset();
+  return run;
 }
 
 double compute_slack_voltage(const Resonator& resonator)

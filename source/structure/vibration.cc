@@ -32,8 +32,7 @@ Vibration::Vibration(Structure& structure, const LoadState& loads,
   laws_ = structure_.tangent_laws_;
   for (unsigned int e = 0; e < loads_.voltages.size(); ++e)
     if (loads_.charge_is_given[e])
-      columns_.push_back(
-          structure_.make_column(e, loads_, Networks::as_given));
+      columns_.push_back(structure_.make_column(e, loads_, Networks::as_given));
   find_relaxations();
   make_mass();
   make_unit_inertia();
@@ -226,8 +225,7 @@ std::vector<double> Vibration::compute_motion(const double* x) const
   motion.update_ghost_values();
   fe::distribute_change(structure_.nodes(), &structure_.tangent_positions_,
                         motion);
-  return {motion.begin(),
-          motion.begin() + 3 * structure_.nodes().n_local};
+  return {motion.begin(), motion.begin() + 3 * structure_.nodes().n_local};
 }
 
 double Vibration::compute_largest(const std::vector<double>& motion) const

@@ -72,7 +72,8 @@ std::vector<double> reduce(const Vibration& vibration, const Vectors& basis,
 std::vector<double> reduce_stiffness(const Vibration& vibration,
                                      const Vectors& basis)
 {
-  return reduce(vibration, basis, [&](const double* x, double* result)
+  return reduce(vibration, basis,
+                [&](const double* x, double* result)
                 { vibration.multiply_stiffness(x, result); });
 }
 
@@ -154,11 +155,9 @@ std::vector<double> project(Vibration& vibration, const Vectors& basis,
 }
 } // namespace
 
-std::vector<DampedMode>
-compute_damped_modes(Vibration& vibration,
-                     const std::vector<time::VibrationMode>& modes,
-                     const std::vector<time::VibrationMode>& others,
-                     const bool at_rest)
+std::vector<DampedMode> compute_damped_modes(
+    Vibration& vibration, const std::vector<time::VibrationMode>& modes,
+    const std::vector<time::VibrationMode>& others, const bool at_rest)
 {
   const Vectors basis = make_basis(vibration, modes, others);
   time::DampedVibration reduced;
@@ -167,9 +166,9 @@ compute_damped_modes(Vibration& vibration,
   reduced.stiffness = reduce_stiffness(vibration, basis);
   reduced.damping.assign(basis.size() * basis.size(), 0.);
   if (vibration.has_damping())
-    reduced.damping =
-        reduce(vibration, basis, [&](const double* x, double* result)
-               { vibration.multiply_damping(x, result); });
+    reduced.damping = reduce(vibration, basis,
+                             [&](const double* x, double* result)
+                             { vibration.multiply_damping(x, result); });
   for (const Relaxation& relaxation : vibration.relaxations())
     reduced.parts.push_back({{}, relaxation.time});
   std::vector<Part> parts;
@@ -191,8 +190,8 @@ compute_damped_modes(Vibration& vibration,
       }
       else
       {
-        part.stiffness = compute_loss(vibration, basis, reduced.stiffness, r,
-                                      frequency);
+        part.stiffness =
+            compute_loss(vibration, basis, reduced.stiffness, r, frequency);
         for (double& entry : part.stiffness)
           entry *= 1 + frequency * part.time;
       }

@@ -1,4 +1,7 @@
 #include <taut/base/exceptions.h>
+#include <taut/base/number_text.h>
+#include <taut/lumped/resonator_critical.h>
+#include <taut/lumped/resonator_statics.h>
 #include <taut/study/lumped_case.h>
 
 #include <cmath>
@@ -18,6 +21,30 @@ std::vector<double> make_shares(const LumpedResonatorDescription& device)
     return device.network_shares;
   const std::size_t n = device.relaxation_times.size();
   return std::vector<double>(n, (1 - device.equilibrium_share) / double(n));
+}
+
+lumped::ResonatorStart get_start(const ProcedureDescription& procedure)
+{
+  return procedure.start == structure::Start::relaxed
+             ? lumped::ResonatorStart::relaxed
+             : lumped::ResonatorStart::unrelaxed;
+}
+
+double get_hertz(const double angular_frequency)
+{
+  return angular_frequency / (2 * std::acos(-1.));
+}
+
+/// At which the voltage rises at the start (V/s).
+double get_ramp_rate(const LumpedResonatorDescription& device,
+                     const ProcedureDescription& procedure)
+{
+  const double rate = device.voltage.rate(procedure.start_time);
+  if (!(rate > 0))
+    throw BadInput("a hold time needs a voltage that rises at the start, and "
+                   "its rate there is " +
+                   number_text(rate) + " V/s");
+  return rate;
 }
 
 std::string get_place(const ResonatorPlace place)
@@ -78,21 +105,43 @@ lumped::ResonatorRun run_lumped(const LumpedResonatorDescription& device,
                                 const ProcedureDescription& procedure,
                                 const std::vector<double>& output_times)
 {
-  if (procedure.analysis == structure::Analysis::equilibrium ||
-      procedure.analysis == structure::Analysis::continuation)
-    throw BadInput("the lumped resonator has no static analysis; "
-                   "'quasi-static' and 'transient' are allowed");
+  if (procedure.analysis != structure::Analysis::equilibrium &&
+      procedure.analysis != structure::Analysis::quasi_static &&
+      procedure.analysis != structure::Analysis::transient)
+    throw BadInput("the lumped resonator has the analyses 'equilibrium', "
+                   "'quasi-static', 'transient' and 'frequency response' only");
+  if (device.hold_time > 0)
+    get_ramp_rate(device, procedure);
   const auto resonator = lumped::make_resonator(make_resonator_si(device));
   lumped::ResonatorRunOptions options;
   options.start_time = procedure.start_time;
   options.end_time = procedure.end_time;
   options.output_times = output_times;
-  options.start = procedure.start == structure::Start::relaxed
-                      ? lumped::ResonatorStart::relaxed
-                      : lumped::ResonatorStart::unrelaxed;
+  options.start = get_start(procedure);
+  if (procedure.analysis == structure::Analysis::equilibrium)
+    return lumped::run_static(resonator, options);
   return procedure.analysis == structure::Analysis::transient
              ? lumped::run_inertial(resonator, options)
              : lumped::run_quasi_static(resonator, options);
+}
+
+std::map<std::string, double>
+find_hold_limit(const LumpedResonatorDescription& device,
+                const ProcedureDescription& procedure)
+{
+  const auto si = make_resonator_si(device);
+  const auto resonator = lumped::make_resonator(si);
+  const auto scales = lumped::make_scales(si);
+  lumped::ResonatorRamp ramp;
+  ramp.rate = get_ramp_rate(device, procedure) / scales.voltage;
+  ramp.start = get_start(procedure);
+  const double limit =
+      lumped::find_hold_limit(resonator, ramp, device.hold_time);
+  const double frequency =
+      lumped::find_relaxed_state(resonator, limit).frequency;
+  return {{"hold limit", scales.voltage * limit},
+          {"natural frequency at hold limit",
+           get_hertz(scales.angular_frequency * frequency)}};
 }
 
 LumpedRow make_lumped_row(const LumpedResonatorDescription& device,
@@ -119,8 +168,7 @@ LumpedRow make_lumped_row(const LumpedResonatorDescription& device,
   si.nominal_stress_2_active = scales.stress * row.stress_2a;
   si.nominal_stress_2_passive = scales.stress * row.stress_2b;
   si.charge = scales.charge * row.charge;
-  si.natural_frequency =
-      scales.angular_frequency * row.frequency / (2 * std::acos(-1.));
+  si.natural_frequency = get_hertz(scales.angular_frequency * row.frequency);
   si.true_field =
       si.voltage / device.thickness * row.stretch_1a * device.pre_stretch[1];
   si.breakdown_margin = device.breakdown_strength - si.true_field;

@@ -61,16 +61,20 @@ lumped::DemesRun run_lumped(const LumpedDemesDescription& device,
                             const ProcedureDescription& procedure,
                             const std::vector<double>& output_times)
 {
-  if (procedure.analysis != structure::Analysis::transient)
-    throw BadInput("the lumped DEMES has the analysis 'transient' only");
+  const bool at_rest = procedure.analysis == structure::Analysis::equilibrium;
+  if (!at_rest && procedure.analysis != structure::Analysis::transient)
+    throw BadInput("the lumped DEMES has the analyses 'equilibrium', "
+                   "'transient' and 'frequency response' only");
   const lumped::Demes demes = lumped::make_demes(make_demes_si(device));
   lumped::DemesRunOptions options;
   options.start_time = procedure.start_time / demes.time_unit;
   options.end_time = procedure.end_time / demes.time_unit;
   for (const double time : output_times)
     options.output_times.push_back(time / demes.time_unit);
-  options.start = make_start(device);
   options.tolerance = device.tolerance;
+  if (at_rest)
+    return lumped::run_rest_states(demes, options);
+  options.start = make_start(device);
   return lumped::run_demes(demes, options);
 }
 

@@ -2,10 +2,11 @@
 #include <taut/structure/vibration_damping.h>
 #include <taut/study/modes.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+
+#include <boost/math/constants/constants.hpp>
 
 namespace taut::study
 {
@@ -101,8 +102,7 @@ void FilmModes::settle()
   double moved = 0;
   for (std::size_t i = 0; i < before.size(); ++i)
     moved = std::max(moved, std::abs(state_[i] - before[i]));
-  report_.moved =
-      dealii::Utilities::MPI::max(moved, structure.communicator());
+  report_.moved = dealii::Utilities::MPI::max(moved, structure.communicator());
 }
 
 std::vector<time::VibrationMode> FilmModes::find_modes()
@@ -169,8 +169,9 @@ void FilmModes::find()
     notes_.push_back(
         "the networks still relax (their longest time multiplies the fastest "
         "change of their internal variables to " +
-        show(drift) + "): damping and stability are those of the moment, with "
-                      "the networks frozen");
+        show(drift) +
+        "): damping and stability are those of the moment, with "
+        "the networks frozen");
   report_.stable =
       (at_rest ? report_.unstable_relaxed : report_.unstable_frozen) == 0;
   if (relaxes && wants_relaxed)
@@ -179,8 +180,8 @@ void FilmModes::find()
   for (const auto& relaxation : vibration_->relaxations())
     report_.relaxations.push_back({relaxation.name, relaxation.time});
   report_.total_mass = vibration_->total_mass();
-  describe(structure::compute_damped_modes(*vibration_, modes_, relaxed,
-                                           at_rest));
+  describe(
+      structure::compute_damped_modes(*vibration_, modes_, relaxed, at_rest));
 }
 
 void FilmModes::describe(const std::vector<structure::DampedMode>& damped)
@@ -205,10 +206,10 @@ void FilmModes::set_masses(const time::VibrationMode& mode,
       vibration_->compute_motion(mode.shape.data()));
   row.modal_mass = largest > 0 ? 1 / (largest * largest) : 0.;
   for (unsigned int axis = 0; axis < 3; ++axis)
-    row.effective_masses.push_back(
-        std::pow(vibration_->multiply(mode.shape.data(),
-                                      vibration_->get_unit_inertia(axis).data()),
-                 2));
+    row.effective_masses.push_back(std::pow(
+        vibration_->multiply(mode.shape.data(),
+                             vibration_->get_unit_inertia(axis).data()),
+        2));
 }
 
 /// Fastest change of an internal variable times the longest relaxation time.
@@ -230,9 +231,8 @@ double FilmModes::compute_drift()
 
 std::vector<std::vector<double>> FilmModes::make_motions() const
 {
-  const double extent =
-      case_.modes.amplitude *
-      structure::compute_extent(system_.structure().mesh());
+  const double extent = case_.modes.amplitude *
+                        structure::compute_extent(system_.structure().mesh());
   std::vector<std::vector<double>> motions;
   for (const auto& mode : modes_)
   {
@@ -245,9 +245,8 @@ std::vector<std::vector<double>> FilmModes::make_motions() const
 }
 } // namespace
 
-RunSummary run_film_modes(const Case& run_case,
-                          structure::Structure& structure, RunOutput& output,
-                          const WriteModeShapes& write)
+RunSummary run_film_modes(const Case& run_case, structure::Structure& structure,
+                          RunOutput& output, const WriteModeShapes& write)
 {
   // The frames of fields.pvd are those of the modes.
   Case quiet = run_case;
@@ -265,10 +264,10 @@ RunSummary run_film_modes(const Case& run_case,
     if (run_case.output.write_fields)
       write({time, system, state.data(), modes.make_motions()});
   };
-  RunSummary summary =
-      run_film(quiet, structure, output, std::nullopt, visit);
+  RunSummary summary = run_film(quiet, structure, output, std::nullopt, visit);
   if (!summary.modes && summary.status != Status::failed)
-    summary.notes.push_back("no vibration modes: the run ended before it came to the state");
+    summary.notes.push_back(
+        "no vibration modes: the run ended before it came to the state");
   return summary;
 }
 } // namespace taut::study

@@ -46,8 +46,7 @@ void complete(const ModesDescription& description,
                     : stiffness.relaxed();
   mode.growth_rate = rate.real();
   mode.damped_angular_frequency = rate.imag();
-  mode.damping_ratio =
-      std::abs(rate) > 0 ? -rate.real() / std::abs(rate) : 0.;
+  mode.damping_ratio = std::abs(rate) > 0 ? -rate.real() / std::abs(rate) : 0.;
   mode.modal_mass = modal_mass;
   for (const ModesRelaxation& relaxation : report.relaxations)
     mode.products.push_back(std::sqrt(std::max(0., mode.square)) *
@@ -128,8 +127,7 @@ lumped::DemesEquilibrium find_nearest(const lumped::Demes& demes,
     throw SolverFailed("no vibration modes: the DEMES has no equilibrium at "
                        "the source of the state");
   return *std::min_element(equilibria.begin(), equilibria.end(),
-                           [&](const auto& a, const auto& b)
-                           {
+                           [&](const auto& a, const auto& b) {
                              return std::abs(a.angle - row.angle) <
                                     std::abs(b.angle - row.angle);
                            });
@@ -185,12 +183,12 @@ RunSummary run_lumped_modes(const Case& run_case, RunOutput& output)
                               "came to the state");
   };
   if (run_case.model == "demes")
-    return visit_demes(
-        run_case, output,
-        [&](const lumped::DemesRun& run, RunSummary& summary)
-        { visit(run_case.lumped_demes, run, summary); });
-  return visit_resonator(run_case, output,
-                       [&](const lumped::ResonatorRun& run, RunSummary& summary)
-                       { visit(run_case.lumped_resonator, run, summary); });
+    return visit_demes(run_case, output,
+                       [&](const lumped::DemesRun& run, RunSummary& summary)
+                       { visit(run_case.lumped_demes, run, summary); });
+  return visit_resonator(
+      run_case, output,
+      [&](const lumped::ResonatorRun& run, RunSummary& summary)
+      { visit(run_case.lumped_resonator, run, summary); });
 }
 } // namespace taut::study

@@ -1,8 +1,8 @@
 #include <taut/study/modes_report.h>
 
-#include <boost/math/constants/constants.hpp>
-
 #include <cmath>
+
+#include <boost/math/constants/constants.hpp>
 
 namespace taut::study
 {
@@ -39,13 +39,11 @@ std::vector<double> make_mode_row(const ModesReport& report,
                                   const std::size_t mode)
 {
   const ModesReport::Mode& entry = report.modes.at(mode);
-  std::vector<double> row{double(mode + 1),
-                          entry.frequency(),
-                          entry.square,
-                          entry.damped_angular_frequency / full_turn,
-                          entry.damping_ratio,
-                          entry.growth_rate,
-                          entry.modal_mass};
+  std::vector<double> row{
+      double(mode + 1),    entry.frequency(),
+      entry.square,        entry.damped_angular_frequency / full_turn,
+      entry.damping_ratio, entry.growth_rate,
+      entry.modal_mass};
   if (report.total_mass > 0)
   {
     for (const double mass : entry.effective_masses)

@@ -1,9 +1,10 @@
-#include <taut/base/number_text.h>
 #include <taut/study/motion_class.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "motion_text.h"
 
 namespace taut::study
 {
@@ -114,20 +115,46 @@ double measure_returns(const SectionPoints& points, const std::size_t n,
   return std::sqrt(sum / double(end - begin));
 }
 
-/// By which factor the returns change from the first third to the last.
-double measure_change_of_returns(const SectionPoints& points)
+/// The returns after n points in the last third of those from `first` on, and
+/// by which factor they change from the first third; both thirds have a
+/// multiple of `whole` points.
+struct Returns
 {
-  double best = std::numeric_limits<double>::infinity(), change = 1;
-  for (std::size_t n = 1; n <= most_compared; ++n)
+  double last = 0;
+  double change = 1;
+};
+
+Returns compare_returns(const SectionPoints& points, const std::size_t first,
+                        const std::size_t n, const std::size_t whole)
+{
+  const std::size_t end = points.size() - n;
+  const std::size_t third = (end - first) / 3 / whole * whole;
+  if (third == 0)
+    return {};
+  Returns returns;
+  returns.last = measure_returns(points, n, end - third, end);
+  returns.change =
+      returns.last / measure_returns(points, n, first, first + third);
+  return returns;
+}
+
+bool is_stationary(const Returns& returns)
+{
+  return returns.change >= settled_change &&
+         returns.change <= 1 / settled_change;
+}
+
+/// Of the returns that repeat best.
+Returns find_closest_returns(const SectionPoints& points)
+{
+  Returns closest = compare_returns(points, 0, 1, 1);
+  for (std::size_t n = 2; n <= most_compared; ++n)
   {
-    const std::size_t size = points.size() - n, third = size / 3;
-    const double last = measure_returns(points, n, size - third, size);
-    if (!(last < best))
-      continue;
-    best = last;
-    change = last / measure_returns(points, n, 0, third);
+    const Returns returns = compare_returns(points, 0, n, 1);
+    if (returns.last < closest.last)
+      closest = returns;
   }
-  return change;
+  return closest;
 }
 
 bool is_at_rest(const MotionEvidence& evidence, const double tolerance)
@@ -148,6 +175,14 @@ double get_mean_interval(const MotionTrack& section)
          double(section.size() - 1);
 }
 
+/// Whether the n points stay apart. Those of a spiral into a single point turn
+/// by nearly an n-th of a circle each and approach each other.
+bool is_kept_apart(const SectionPoints& points, const std::size_t n)
+{
+  return n == 1 ||
+         is_stationary(compare_returns(points, points.size() / 2, 1, n));
+}
+
 /// Whether the section repeats; then the verdict is complete.
 bool find_period(const MotionEvidence& evidence, const SectionPoints& points,
                  const double tolerance, MotionVerdict& verdict)
@@ -157,18 +192,21 @@ bool find_period(const MotionEvidence& evidence, const SectionPoints& points,
        ++n)
   {
     const double spread = measure_spread(points, n);
-    if (n > 1 && spread > tolerance)
+    if (n == 1)
+    {
+      verdict.spread = spread;
+      verdict.drift = measure_drift(points, n);
+    }
+    if (spread > tolerance || !is_kept_apart(points, n))
       continue;
     verdict.spread = spread;
     verdict.drift = measure_drift(points, n);
-    if (spread > tolerance)
-      continue;
     verdict.motion_class = MotionClass::periodic;
     verdict.period_number = static_cast<unsigned int>(n);
     verdict.period = double(n) * get_mean_interval(evidence.section);
     verdict.reason = "the section repeats after " + std::to_string(n) +
                      (n == 1 ? " point" : " points") + ", within " +
-                     number_text(tolerance) + " of the motion";
+                     show_number(tolerance) + " of the motion";
     return true;
   }
   return false;
@@ -179,7 +217,7 @@ void judge_by_lyapunov(const lumped::LyapunovExponent& exponent,
 {
   const double margin = 3 * exponent.uncertainty;
   const std::string text = "the largest Lyapunov exponent is " +
-                           number_text(exponent.value) + " 1/s";
+                           show_number(exponent.value) + " 1/s";
   if (exponent.value < -margin)
     verdict.reason = text + ", so that it will settle";
   else if (exponent.value > margin)
@@ -211,7 +249,7 @@ void judge_by_section(const SectionPoints& points, MotionVerdict& verdict)
   verdict.motion_class =
       irregular ? MotionClass::irregular : MotionClass::quasi_periodic;
   verdict.reason = "the section does not repeat, and the 0-1 test gives " +
-                   number_text(verdict.irregularity);
+                   show_number(verdict.irregularity);
 }
 
 /// p(n) and q(n) of the 0-1 test.
@@ -320,7 +358,7 @@ MotionVerdict classify_motion(const MotionEvidence& evidence,
   {
     verdict.motion_class = MotionClass::equilibrium;
     verdict.reason = "in the last quarter of the time it moves by less than " +
-                     number_text(tolerance) + " of the whole run's range";
+                     show_number(tolerance) + " of the whole run's range";
     return verdict;
   }
   const SectionPoints points = make_section_points(evidence);
@@ -332,11 +370,11 @@ MotionVerdict classify_motion(const MotionEvidence& evidence,
                      " points, too few to tell more";
     return verdict;
   }
-  const double change = measure_change_of_returns(points);
-  if (change < settled_change || change > 1 / settled_change)
+  const Returns returns = find_closest_returns(points);
+  if (!is_stationary(returns))
     verdict.reason = "the distances between returns still change, by the "
                      "factor " +
-                     number_text(change) +
+                     show_number(returns.change) +
                      " from the first third of the section to the last";
   else if (evidence.lyapunov)
     judge_by_lyapunov(*evidence.lyapunov, verdict);

@@ -157,7 +157,11 @@ public:
     auto options = make_options(time, time);
     options.start = relaxed_ ? lumped::ResonatorStart::relaxed
                              : lumped::ResonatorStart::unrelaxed;
-    return get_state(lumped::run_inertial(resonator_, options).rows.back());
+    const auto run = lumped::run_inertial(resonator_, options);
+    // Such a failure would stop no run.
+    if (!run.events.empty())
+      refuse(run.events.front());
+    return get_state(run.rows.back());
   }
 
   std::vector<double> get_scales() const override
@@ -183,15 +187,20 @@ public:
     options.velocity = state[1] * scales_.angular_frequency;
     const auto run = lumped::run_inertial(resonator_, options);
     if (run.failure)
-      throw SolverFailed(lumped::to_text(run.failure->failure) + " in " +
-                         lumped::to_text(run.failure->place) + " at " +
-                         number_text(run.failure->row.time) + " s");
+      refuse(*run.failure);
     if (track)
       add_rows(run, *track);
     return get_state(run.rows.back());
   }
 
 private:
+  [[noreturn]] static void refuse(const lumped::ResonatorEvent& failure)
+  {
+    throw SolverFailed(lumped::to_text(failure.failure) + " in " +
+                       lumped::to_text(failure.place) + " at " +
+                       number_text(failure.row.time) + " s");
+  }
+
   lumped::ResonatorRunOptions make_options(const double begin,
                                            const double end) const
   {

@@ -2,9 +2,10 @@
 
 #include <taut/base/exceptions.h>
 #include <taut/base/nearest_name.h>
-#include <taut/base/number_text.h>
 #include <taut/study/motion_flow.h>
 #include <taut/study/motion_lumped.h>
+
+#include "motion_text.h"
 
 namespace taut::study
 {
@@ -28,9 +29,9 @@ std::string describe_end(const Motion& motion)
 {
   return "The motion of '" + motion.of +
          "' is not reproducible to the eye: from " +
-         number_text(motion.reproducible_until) +
+         show_number(motion.reproducible_until) +
          " s on, another start within 1e-10 and a tenth of the tolerance "
-         "lead more than a hundredth of its range away.";
+         "leads more than a hundredth of its range away.";
 }
 } // namespace
 
@@ -114,7 +115,7 @@ void MotionRecorder::finish(RunSummary& summary)
   {
     summary.notes.push_back("The run ended before the motion was looked at, "
                             "from " +
-                            number_text(description_.from) + " s on.");
+                            show_number(description_.from) + " s on.");
     return;
   }
   std::optional<lumped::LyapunovExponent> lyapunov;

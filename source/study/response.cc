@@ -1,11 +1,11 @@
 #include <taut/base/exceptions.h>
-#include <taut/base/number_text.h>
 #include <taut/lumped/run_all.h>
 #include <taut/study/response.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "motion_text.h"
 #include "response_run.h"
 
 namespace taut::study
@@ -56,7 +56,7 @@ describe_failures(const std::vector<ResponsePoint>& points)
   std::vector<std::string> notes;
   for (const ResponsePoint& point : points)
     if (std::isnan(point.amplitude))
-      notes.push_back("At " + number_text(point.frequency) +
+      notes.push_back("At " + show_number(point.frequency) +
                       " Hz the device fails after " +
                       std::to_string(point.periods) + " periods.");
   return notes;
@@ -142,13 +142,13 @@ std::vector<std::string> find_jumps(const std::vector<ResponsePoint>& points)
     const std::size_t first = i;
     while (i + 1 < n && get_pair(i + 1))
       ++i;
-    notes.push_back("From " + number_text(points[first].frequency) + " to " +
-                    number_text(points[i].frequency) +
+    notes.push_back("From " + show_number(points[first].frequency) + " to " +
+                    show_number(points[i].frequency) +
                     " Hz the motion depends on whether the frequency rises or "
                     "falls: amplitude " +
-                    number_text(points[first].amplitude) + " against " +
-                    number_text(points[2 * n - 1 - first].amplitude) + " at " +
-                    number_text(points[first].frequency) + " Hz.");
+                    show_number(points[first].amplitude) + " against " +
+                    show_number(points[2 * n - 1 - first].amplitude) + " at " +
+                    show_number(points[first].frequency) + " Hz.");
   }
   return notes;
 }

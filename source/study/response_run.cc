@@ -198,13 +198,11 @@ private:
 
 SettlingWatch::SettlingWatch(const double tolerance) : tolerance_(tolerance) {}
 
-bool SettlingWatch::add(const double mean, const double amplitude)
+bool SettlingWatch::is_calm(const double allowed) const
 {
-  blocks_.push_back({mean, amplitude});
   const std::size_t n = blocks_.size();
   if (n < 3)
     return false;
-  const double allowed = tolerance_ * amplitude;
   for (const std::size_t i : {0, 1})
   {
     const double before = std::abs(blocks_[n - 2][i] - blocks_[n - 3][i]);
@@ -216,6 +214,15 @@ bool SettlingWatch::add(const double mean, const double amplitude)
       return false;
   }
   return true;
+}
+
+bool SettlingWatch::add(const double mean, const double amplitude)
+{
+  blocks_.push_back({mean, amplitude});
+  const bool calm = is_calm(tolerance_ * amplitude);
+  const bool settled = calm && was_calm_;
+  was_calm_ = calm;
+  return settled;
 }
 
 std::unique_ptr<MotionFlow> make_driven_flow(const Case& lumped_case,

@@ -40,9 +40,10 @@ std::vector<double> get_values(const LumpedDemesRow& row)
 }
 
 /// Tells `output` what happened and the summary how it ended.
-void report(const LumpedDemesDescription& device, const lumped::DemesRun& run,
+void report(const Case& run_case, const lumped::DemesRun& run,
             RunOutput& output, RunSummary& summary)
 {
+  const LumpedDemesDescription& device = run_case.lumped_demes;
   const auto scales = lumped::make_scales(make_demes_si(device));
   for (const lumped::DemesRow& row : run.rows)
     output.write_row(get_values(make_lumped_row(device, scales, row)));
@@ -51,7 +52,8 @@ void report(const LumpedDemesDescription& device, const lumped::DemesRun& run,
   const LumpedDemesRow last = make_lumped_row(device, run.rows.back());
   summary.time_reached = last.time;
   summary.final_row = get_values(last);
-  set_balance(run, scales.energy, summary);
+  if (run_case.procedure.analysis == structure::Analysis::transient)
+    set_balance(run, scales.energy, summary);
   summary.counters["steps"] = double(run.statistics.steps);
   summary.counters["rejected"] = double(run.statistics.rejected);
   summary.counters["evaluations"] = double(run.statistics.evaluations);
@@ -82,8 +84,7 @@ RunSummary visit_demes(
                              run_case, columns, recorded, compute,
                              [&](const auto& run, RunSummary& summary)
                              {
-                               report(run_case.lumped_demes, run, recorded,
-                                      summary);
+                               report(run_case, run, recorded, summary);
                                visit(run, summary);
                              });
                        });

@@ -69,6 +69,8 @@ void report(const Case& run_case, const lumped::ResonatorRun& run,
   if (run_case.procedure.analysis == structure::Analysis::transient)
     set_balance(rows, summary);
   set_counters(run.statistics, summary);
+  if (device.hold_time > 0)
+    summary.findings = find_hold_limit(device, run_case.procedure);
   if (!run.failure)
     return;
   const EventRecord failure = make_event_record(device, *run.failure);

@@ -22,8 +22,8 @@ public:
   explicit DenseEigenproblem(const std::size_t size)
       : size_(static_cast<PetscInt>(size))
   {
-    TAUT_SLEPC(MatCreateSeqDense(PETSC_COMM_SELF, size_, size_, nullptr,
-                                 &matrix_));
+    TAUT_SLEPC(
+        MatCreateSeqDense(PETSC_COMM_SELF, size_, size_, nullptr, &matrix_));
     TAUT_SLEPC(EPSCreate(PETSC_COMM_SELF, &solver_));
     TAUT_SLEPC(EPSSetType(solver_, EPSLAPACK));
     TAUT_SLEPC(EPSSetProblemType(solver_, EPS_NHEP));

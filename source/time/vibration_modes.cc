@@ -64,7 +64,8 @@ PetscErrorCode solve_shifted(PC preconditioner, Vec x, Vec y)
   const PetscErrorCode code = PCShellGetContext(preconditioner, &inverse);
   if (code != 0)
     return code;
-  return apply_to(*inverse, x, y, [&](const double* from, double* to)
+  return apply_to(*inverse, x, y,
+                  [&](const double* from, double* to)
                   { inverse->problem.solve(from, to); });
 }
 
@@ -73,17 +74,17 @@ class ModeSolver
 {
 public:
   ModeSolver(VibrationProblem& problem, const double shift)
-      : size_(problem.n_unknowns()),
-        inverse_{problem, CallbackGuard(Communicator(problem.communicator()))}
+      : size_(problem.n_unknowns()), inverse_{problem,
+                                              CallbackGuard(Communicator(
+                                                  problem.communicator()))}
   {
     const MPI_Comm communicator = problem.communicator();
     const auto size = static_cast<PetscInt>(size_);
     for (Mat* matrix : {&stiffness_, &mass_})
       TAUT_SLEPC(MatCreateShell(communicator, size, size, PETSC_DETERMINE,
                                 PETSC_DETERMINE, &inverse_, matrix));
-    TAUT_SLEPC(
-        MatShellSetOperation(mass_, MATOP_MULT,
-                             reinterpret_cast<void (*)()>(multiply_mass)));
+    TAUT_SLEPC(MatShellSetOperation(
+        mass_, MATOP_MULT, reinterpret_cast<void (*)()>(multiply_mass)));
     TAUT_SLEPC(EPSCreate(communicator, &solver_));
     TAUT_SLEPC(EPSSetOperators(solver_, stiffness_, mass_));
     TAUT_SLEPC(EPSSetProblemType(solver_, EPS_GHEP));
@@ -227,8 +228,7 @@ bool is_complete(VibrationProblem& problem,
 {
   if (modes.size() < 2)
     return true;
-  const std::size_t first =
-      modes.size() > spare ? modes.size() - spare - 1 : 0;
+  const std::size_t first = modes.size() > spare ? modes.size() - spare - 1 : 0;
   std::size_t widest = first;
   const auto gap = [&](const std::size_t i)
   { return modes[i + 1].square - modes[i].square; };
@@ -250,9 +250,8 @@ ModeSearch find_lowest(VibrationProblem& problem, const ModeOptions& options)
       shift *= 10;
       continue;
     }
-    auto modes =
-        ModeSolver(problem, shift).solve(options.count + spare,
-                                         options.tolerance);
+    auto modes = ModeSolver(problem, shift)
+                     .solve(options.count + spare, options.tolerance);
     const double spread = get_spread(modes);
     const double distance = modes.front().square - shift;
     if (distance < 10 * spread && distance > 1e-3 * spread)

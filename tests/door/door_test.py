@@ -179,7 +179,7 @@ class Pictures(DoorTest):
         return file.read_text(encoding="utf-8").splitlines()
 
     def add_paraview(self):
-        for tool in ("pvbatch", "xvfb-run", "xauth"):
+        for tool in ("pvbatch", "Xvfb"):
             self.world.add_tool(tool, "")
 
     def test_other_commands_do_without(self):
@@ -193,7 +193,7 @@ class Pictures(DoorTest):
     def test_render_installs_paraview_and_no_browser(self):
         result = self.expect(0, self.world.call("render", "a run"))
         self.assertIn("word a run", result.stdout)
-        for package in ("paraview", "python3-paraview", "xvfb", "xauth"):
+        for package in ("paraview", "python3-paraview", "xvfb"):
             self.assertIn(package, self.get_installed())
         self.assertNotIn("chromium-headless-shell", self.get_installed())
 

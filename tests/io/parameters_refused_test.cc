@@ -28,6 +28,8 @@ const Refusal grammar[] = {
     {"unknown key", "  set Thickness = 1e-3\n  set Pre",
      "  set Thicknes = 1e-3\n  set Pre", "Thicknes =", "Film left/Thicknes",
      "did you mean 'Thickness'"},
+    {"path for a key", "set Title = small", "set Film left/Thickness = 1e-3",
+     "set Film left/", "Film left/Thickness", "unknown key"},
     {"unknown section", "subsection Film left", "subsection Flim left",
      "subsection Flim", "Flim left", "did you mean 'Film left'"},
     {"unknown two-word section", "subsection Edge load pull",

@@ -1,8 +1,10 @@
 // history.csv, events.csv, run.json and the folder that holds them.
 #include <taut/base/exceptions.h>
+#include <taut/io/csv_file.h>
 #include <taut/io/events_writer.h>
 #include <taut/io/files.h>
 #include <taut/io/history_writer.h>
+#include <taut/io/motion_writer.h>
 #include <taut/io/output_folder.h>
 #include <taut/io/run_summary.h>
 
@@ -55,6 +57,66 @@ TEST(History, OtherColumnsAndLostRowsAreRefused)
   EXPECT_THROW(HistoryWriter(file, {{"time", "s"}}, 1), BadInput);
   EXPECT_THROW(HistoryWriter(file, columns, 2), BadInput);
   EXPECT_THROW(HistoryWriter(folder.get("none.csv"), columns, 1), BadInput);
+}
+
+TEST(History, RowsAreReadBack)
+{
+  const SharedFolder folder("history_back");
+  const std::string file = folder.get("history.csv");
+  HistoryWriter history(file, columns);
+  history.write({0, 1.5, -2e-9});
+  history.write({1, std::nan(""), 3});
+  const auto rows = read_rows(file, 2);
+  EXPECT_EQ(rows.at(0), (std::vector<double>{0, 1.5, -2e-9}));
+  EXPECT_TRUE(std::isnan(rows.at(1).at(1)));
+  EXPECT_EQ(rows.at(1).at(2), 3);
+  EXPECT_EQ(read_rows(file, 1).size(), 1u);
+  EXPECT_TRUE(read_rows(folder.get("none.csv"), 0).empty());
+  EXPECT_THROW(read_rows(file, 3), BadInput);
+  replace_file(file, header + "0,one,2\n");
+  EXPECT_THROW(read_rows(file, 1), BadInput);
+}
+
+study::Motion make_motion()
+{
+  study::Motion motion;
+  motion.of = "lift, tip";
+  motion.unit = "m";
+  motion.verdict.motion_class = study::MotionClass::periodic;
+  motion.verdict.period_number = 2;
+  motion.section.add({1, 2, 3});
+  motion.spectrum = {{0, 0.5}, {0, 0.25}};
+  return motion;
+}
+
+TEST(MotionTables, HaveTheirUnits)
+{
+  const auto tables = make_motion_tables(make_motion());
+  EXPECT_EQ(make_table_text(tables.at("section")),
+            "time [s],\"lift, tip [m]\",\"rate of lift, tip [m/s]\"\n1,2,3\n");
+  EXPECT_EQ(make_table_text(tables.at("spectrum")),
+            "frequency [Hz],amplitude [m]\n0,0\n0.5,0.25\n");
+}
+
+TEST(MotionTables, VerdictIsInTheSummary)
+{
+  study::RunSummary summary;
+  const auto parse = [&]
+  { return nlohmann::json::parse(make_run_json(summary, {}, {})); };
+  EXPECT_FALSE(parse().contains("motion"));
+  summary.motion = make_motion();
+  EXPECT_EQ(parse()["motion"]["class"], "periodic");
+  EXPECT_EQ(parse()["motion"]["period_number"], 2);
+  // What nobody measured is not there, and no number is null.
+  EXPECT_FALSE(parse()["motion"].contains("lyapunov_exponent"));
+  EXPECT_FALSE(parse()["motion"].contains("reproducible"));
+  EXPECT_TRUE(parse()["motion"]["section_spread"].is_null());
+  summary.motion->lyapunov = lumped::LyapunovExponent{-0.5, 0.25};
+  summary.motion->reproducible = false;
+  summary.motion->reproducible_until = 3;
+  EXPECT_EQ(parse()["motion"]["lyapunov_exponent"], -0.5);
+  EXPECT_EQ(parse()["motion"]["reproducible"], false);
+  EXPECT_EQ(parse()["motion"]["reproducible_until"], 3);
 }
 
 TEST(Events, RowSaysWhatWhereAndWhen)

@@ -63,7 +63,8 @@ TEST(FrameModes, FreeBeamHasSixRigidMotions)
   for (unsigned int i = 0; i < 6; ++i)
     EXPECT_LT(std::abs(squares[i]), 1e-7 * squares[6]);
   EXPECT_NEAR(squares[6] / std::pow(root, 4), 1, 2e-4);
-  EXPECT_NEAR(squares[7] / (half_turn * half_turn / torsional_inertia), 1, 1e-4);
+  EXPECT_NEAR(squares[7] / (half_turn * half_turn / torsional_inertia), 1,
+              1e-4);
 }
 
 TEST(FrameModes, CompressedColumnLosesItsStiffness)
@@ -76,7 +77,8 @@ TEST(FrameModes, CompressedColumnLosesItsStiffness)
                        testing::make_support("tip", {{false, true, true}})};
     device.supports[0].held_rotations = {{true, false, false}};
     device.point_loads = {testing::make_point_load("tip", {-1, 0, 0})};
-    device.point_loads[0].force = Signal::constant(load * half_turn * half_turn);
+    device.point_loads[0].force =
+        Signal::constant(load * half_turn * half_turn);
     testing::Resting column(device, make_line());
     const auto squares = column.find_squares(1);
     EXPECT_NEAR(squares[0] / ((1 - load) * std::pow(half_turn, 4)), 1, 1e-4);

@@ -1,8 +1,7 @@
-// Vibration modes of films against closed forms: membranes under tension, and
-// the resonator with one element a strip, which is the lumped model.
+// Vibration modes of the resonator against closed forms: with one element a
+// strip it is the lumped model.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -16,98 +15,7 @@ namespace
 {
 constexpr double pi = boost::math::constants::pi<double>();
 
-/// A flat film whose nodes only leave the plane, clamped at its edges.
-structure::Device make_membrane(const std::array<double, 2>& pre_stretch)
-{
-  structure::Device device;
-  device.mesh.degree = 2;
-  device.films = {
-      testing::make_film(material::NeoHookean{2e4}, 1e-3, pre_stretch)};
-  device.films[0].tension_field = false;
-  device.supports = {testing::make_support("film", {{true, true, false}})};
-  for (const char* edge : {"west", "east", "south", "north"})
-    device.supports.push_back(
-        testing::make_support(edge, {{false, false, true}}));
-  return device;
-}
-
-constexpr double length = 0.06, width = 0.04;
-
-/// True stresses (Pa) of the incompressible film.
-std::array<double, 2> compute_stresses(const std::array<double, 2>& l)
-{
-  const double across = std::pow(l[0] * l[1], -2);
-  return {2e4 * (l[0] * l[0] - across), 2e4 * (l[1] * l[1] - across)};
-}
-
-/// (pi^2/rho) (s_1 m^2/a^2 + s_2 n^2/b^2): thickness cancels.
-std::vector<double> compute_membrane(const std::array<double, 2>& stresses,
-                                     const unsigned int count)
-{
-  std::vector<double> squares;
-  for (unsigned int m = 1; m < 10; ++m)
-    for (unsigned int n = 1; n < 10; ++n)
-      squares.push_back(pi * pi / 1000 *
-                        (stresses[0] * std::pow(m / length, 2) +
-                         stresses[1] * std::pow(n / width, 2)));
-  std::sort(squares.begin(), squares.end());
-  squares.resize(count);
-  return squares;
-}
-
-std::vector<double> find_membrane(const structure::Device& device,
-                                  const unsigned int n,
-                                  const unsigned int count)
-{
-  return testing::Resting(device, testing::make_rectangle(3 * n, 2 * n, 1,
-                                                          length, width))
-      .find_squares(count);
-}
-
-TEST(Vibration, MembraneUnderUnequalTensionConvergesToTheory)
-{
-  for (const auto& stretches : {std::array{2., 2.}, std::array{2., 1.3}})
-  {
-    const auto exact = compute_membrane(compute_stresses(stretches), 4);
-    const auto coarse = find_membrane(make_membrane(stretches), 2, 4);
-    const auto fine = find_membrane(make_membrane(stretches), 4, 4);
-    for (unsigned int i = 0; i < 4; ++i)
-    {
-      const double before = coarse[i] / exact[i] - 1;
-      const double after = fine[i] / exact[i] - 1;
-      EXPECT_LT(after, 2e-3);
-      // From above with the order 2 p = 4 of conforming elements.
-      EXPECT_GT(after, 0);
-      EXPECT_NEAR(std::log2(before / after), 4, .3) << "mode " << i;
-    }
-  }
-}
-
-TEST(Vibration, VoltageTakesTheFieldOutOfTheTension)
-{
-  const std::array<double, 2> stretches{2, 1.5};
-  auto device = make_membrane(stretches);
-  const double voltage = testing::make_voltage(device.films[0], .2, 2e4);
-  const auto without = find_membrane(device, 2, 3);
-  device.electrodes = {
-      testing::make_electrode("film", Signal::constant(voltage))};
-  const auto with = find_membrane(device, 2, 3);
-  // eps E^2, E = V l_1 l_2/H: the same on both axes, so that the shapes of
-  // equal-tension modes would stay; here the first mode is of one element
-  // quadrature as well, and its Rayleigh quotient changes little.
-  const double field = .2 * .2 * 2e4 * std::pow(stretches[0] * stretches[1], 2);
-  auto stresses = compute_stresses(stretches);
-  const double before = compute_membrane(stresses, 1)[0];
-  for (double& stress : stresses)
-    stress -= field;
-  const double after = compute_membrane(stresses, 1)[0];
-  ASSERT_LT(after, .9 * before);
-  // Both carry nearly the same error of the mesh.
-  EXPECT_NEAR(with[0] / after, without[0] / before, 1e-4);
-  EXPECT_NEAR(with[0] / after, 1, 1e-3);
-}
-
-/// The ideal resonator: strips of unit length and width on rollers, Gent
+/// The ideal resonator: two strips on rollers, Gent
 /// ground network and two Gent networks, a guided bar.
 constexpr double limit = 67, pre_1 = 2, pre_2 = 4, share = .5;
 constexpr std::array<double, 2> weights{.3, .2}, times{.01, 3.};
@@ -148,8 +56,7 @@ fe::MeshData make_strips(const unsigned int cells = 1)
 /// 1/alpha of (3.15) with k = 1 (s^2).
 double compute_inertia()
 {
-  return (2 * density * side * side / 3 + bar_mass / thickness) /
-         modulus;
+  return (2 * density * side * side / 3 + bar_mass / thickness) / modulus;
 }
 
 /// dD s_1/d lambda_1 of a Gent network with inner stretches, (3.29).
@@ -183,12 +90,11 @@ double compute_frequency(const double l1, const double field,
       sum += weight * (relaxed ? 4 / (l * l) : compute_stiffness(l, 1, 1));
     return sum;
   };
-  return (strip(l1) + strip(2 * pre_1 - l1) -
-          std::pow(field * pre_2, 2)) /
+  return (strip(l1) + strip(2 * pre_1 - l1) - std::pow(field * pre_2, 2)) /
          compute_inertia();
 }
 
-TEST(Vibration, IdealResonatorHasTheLumpedFrequency)
+TEST(ResonatorModes, IdealResonatorHasTheLumpedFrequency)
 {
   for (const double field : {0., .1})
     for (const bool relaxed : {true, false})
@@ -203,7 +109,7 @@ TEST(Vibration, IdealResonatorHasTheLumpedFrequency)
     }
 }
 
-TEST(Vibration, ChargeStiffensWhatVoltageSoftens)
+TEST(ResonatorModes, ChargeStiffensWhatVoltageSoftens)
 {
   const double field = .1;
   auto device = make_resonator(field);
@@ -213,11 +119,10 @@ TEST(Vibration, ChargeStiffensWhatVoltageSoftens)
   const auto loads = by_voltage.system().loads_at(0, by_voltage.state().data());
   structure.compute_positions(loads, by_voltage.state().data());
   std::vector<double> forces(structure.n_free());
-  structure.compute_forces(loads, by_voltage.state().data(),
-                           by_voltage.system().internal(
-                               by_voltage.state().data()),
-                           structure::Networks::as_given, forces.data(),
-                           nullptr);
+  structure.compute_forces(
+      loads, by_voltage.state().data(),
+      by_voltage.system().internal(by_voltage.state().data()),
+      structure::Networks::as_given, forces.data(), nullptr);
   device.electrodes[0].control = structure::Electrode::Control::charge;
   device.electrodes[0].voltage = Signal();
   device.electrodes[0].charge =
@@ -231,28 +136,34 @@ TEST(Vibration, ChargeStiffensWhatVoltageSoftens)
               1, 1e-6);
 }
 
+/// What a relaxation adds to the square of a fast frequency, and its time.
+struct Part
+{
+  double stiffness, time;
+};
+
 /// The root of s^2 + s d + w_r^2 + sum of k_m s T_m/(1 + s T_m) next to a
 /// guess (Newton's method).
 std::complex<double> find_root(const double relaxed,
-                               const std::array<double, 2>& parts,
+                               const std::vector<Part>& parts,
                                const double drag, std::complex<double> s)
 {
   for (unsigned int i = 0; i < 50; ++i)
   {
     std::complex<double> value = s * s + drag * s + relaxed,
                          slope = 2. * s + drag;
-    for (unsigned int m = 0; m < 2; ++m)
+    for (const Part& part : parts)
     {
-      const auto quotient = 1. + s * times[m];
-      value += parts[m] * s * times[m] / quotient;
-      slope += parts[m] * times[m] / (quotient * quotient);
+      const auto quotient = 1. + s * part.time;
+      value += part.stiffness * s * part.time / quotient;
+      slope += part.stiffness * part.time / (quotient * quotient);
     }
     s -= value / slope;
   }
   return s;
 }
 
-TEST(Vibration, RelaxedResonatorIsAZenerOscillator)
+TEST(ResonatorModes, RelaxedResonatorIsAZenerOscillator)
 {
   for (const double drag : {0., 500.})
   {
@@ -262,14 +173,15 @@ TEST(Vibration, RelaxedResonatorIsAZenerOscillator)
     testing::Resting resonator(device, make_strips());
     const double l = get_stretch(resonator);
     const double frozen = compute_frequency(l, field, true);
-    std::array<double, 2> parts;
+    std::vector<Part> parts;
     double relaxed = frozen;
     for (unsigned int m = 0; m < 2; ++m)
     {
-      parts[m] = weights[m] *
-                 (4 / (l * l) + 4 / std::pow(2 * pre_1 - l, 2)) /
-                 compute_inertia();
-      relaxed -= parts[m];
+      parts.push_back(
+          {weights[m] * (4 / (l * l) + 4 / std::pow(2 * pre_1 - l, 2)) /
+               compute_inertia(),
+           times[m]});
+      relaxed -= parts[m].stiffness;
     }
     auto vibration = resonator.make_vibration();
     const auto modes = time::find_modes(vibration, {}).modes;
@@ -277,8 +189,7 @@ TEST(Vibration, RelaxedResonatorIsAZenerOscillator)
     const auto slow = time::find_modes(vibration, {}).modes;
     ASSERT_EQ(slow.size(), 1u);
     EXPECT_NEAR(slow[0].square / relaxed, 1, 1e-10);
-    const auto damped =
-        structure::compute_damped_modes(vibration, modes, slow);
+    const auto damped = structure::compute_damped_modes(vibration, modes, slow);
     const double omega = std::sqrt(frozen);
     ASSERT_EQ(damped.size(), 1u);
     ASSERT_EQ(damped[0].products.size(), 2u);
@@ -295,6 +206,90 @@ TEST(Vibration, RelaxedResonatorIsAZenerOscillator)
   }
 }
 
+TEST(ResonatorModes, CircuitRelaxesBetweenVoltageAndCharge)
+{
+  const double field = .12;
+  auto device = make_resonator(field);
+  device.films[0].material.networks.clear();
+  device.electrodes[0].control = structure::Electrode::Control::circuit;
+  const double l = get_stretch(*std::make_unique<testing::Resting>(
+      make_resonator(field), make_strips()));
+  const double unit = testing::make_voltage(device.films[0], 1, modulus);
+  const double capacitance =
+      modulus * side * side * thickness * std::pow(l * pre_2 / unit, 2);
+  // About one radian.
+  const double time = .02;
+  device.electrodes[0].series_resistance = time / capacitance;
+  testing::Resting resonator(device, make_strips());
+  EXPECT_NEAR(get_stretch(resonator), l, 1e-10);
+  auto vibration = resonator.make_vibration();
+  ASSERT_EQ(vibration.relaxations().size(), 1u);
+  EXPECT_NEAR(vibration.relaxations()[0].time / time, 1, 1e-9);
+  const auto modes = time::find_modes(vibration, {}).modes;
+  const auto damped = structure::compute_damped_modes(vibration, modes, {});
+  // As the spring alone, which is what is left of the networks.
+  const double by_voltage = (share * compute_stiffness(l, 1, 1) +
+                             share * compute_stiffness(2 * pre_1 - l, 1, 1) -
+                             std::pow(field * pre_2, 2)) /
+                            compute_inertia();
+  const Part circuit{4 * std::pow(field * pre_2, 2) / compute_inertia(), time};
+  EXPECT_NEAR(modes[0].square / (by_voltage + circuit.stiffness), 1, 1e-6);
+  const auto root =
+      find_root(by_voltage, {circuit}, 0, {0, std::sqrt(modes[0].square)});
+  // Differences by the voltage make the border.
+  EXPECT_NEAR(std::abs(damped[0].rate / root - 1.), 0, 1e-6);
+  EXPECT_GT(damped[0].ratio(), .01);
+}
+
+TEST(ResonatorModes, NetworksOfHeldWidthRelaxAtAnotherRate)
+{
+  // With the width held at 1, xi' = (xi/T) (l^2/xi^4 - l^-2) loses
+  // 4/(l^2 T) of a difference from its rest xi = l in a second (Wang et al.
+  // 2024, equation 23).
+  auto device = make_resonator(0);
+  device.electrodes.clear();
+  const double l = 1.5, time = .01;
+  auto& film = device.films[0];
+  film.pre_stretch = {l, 1};
+  film.material.springs = {material::NeoHookean{modulus}};
+  film.material.networks = {
+      {material::NeoHookean{modulus}, time, material::FlowLaw::held_width}};
+  testing::Resting resonator(device,
+                             testing::make_rectangle(2, 1, 1, .02 * l, .01));
+  auto vibration = resonator.make_vibration();
+  const auto modes = time::find_modes(vibration, {}).modes;
+  const auto damped = structure::compute_damped_modes(vibration, modes, {});
+  const double omega = std::sqrt(modes[0].square);
+  EXPECT_NEAR(damped[0].products[0] / (omega * time * l * l / 4), 1, 1e-9);
+}
+
+TEST(ResonatorModes, EffectiveMassesOfAllModesAreTheMassThatMoves)
+{
+  auto device = make_resonator(.1);
+  device.mesh.degree = 2;
+  device.supports[2].held = {false, false, true};
+  testing::Resting resonator(
+      device, testing::make_rectangle(4, 2, 1, 4 * side, 4 * side));
+  auto vibration = resonator.make_vibration();
+  time::ModeOptions options;
+  options.count = 1000;
+  const auto modes = time::find_modes(vibration, options).modes;
+  for (unsigned int axis = 0; axis < 2; ++axis)
+  {
+    const auto& inertia = vibration.get_unit_inertia(axis);
+    double sum = 0;
+    for (const auto& mode : modes)
+      sum += std::pow(vibration.multiply(mode.shape.data(), inertia.data()), 2);
+    // b . M^{-1} b, b the inertia of a unit acceleration.
+    std::vector<double> rest(inertia.size());
+    resonator.system().structure().solve_mass(inertia.data(), rest.data());
+    EXPECT_NEAR(sum / vibration.multiply(rest.data(), inertia.data()), 1, 1e-9);
+    EXPECT_LT(sum, vibration.total_mass());
+  }
+  EXPECT_NEAR(vibration.total_mass(),
+              bar_mass + 2 * density * side * side * thickness, 1e-12);
+}
+
 /// Roots of z tan z = 2 M/m of motions in which the bar takes part.
 double find_wave(const double ratio, const double from, const double to)
 {
@@ -307,7 +302,7 @@ double find_wave(const double ratio, const double from, const double to)
       .first;
 }
 
-TEST(Vibration, ManyElementsCarryWavesInTheStrips)
+TEST(ResonatorModes, ManyElementsCarryWavesInTheStrips)
 {
   auto device = make_resonator(0);
   device.mesh.degree = 2;
@@ -316,9 +311,9 @@ TEST(Vibration, ManyElementsCarryWavesInTheStrips)
   testing::Resting resonator(device, make_strips(12));
   const auto squares = resonator.find_squares(3);
   // Symmetric strips: k = 1, V = 0, both waves at c^2 = G S'/rho.
-  const double stiffness =
-      modulus / density *
-      (share * compute_stiffness(pre_1, 1, 1) + (1 - share) * 4 / pre_1 / pre_1);
+  const double stiffness = modulus / density *
+                           (share * compute_stiffness(pre_1, 1, 1) +
+                            (1 - share) * 4 / pre_1 / pre_1);
   const double unit = stiffness / (side * side);
   EXPECT_NEAR(squares[0] / unit / std::pow(find_wave(2, .1, 1.5), 2), 1, 1e-6);
   // With the bar at rest.

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "lumped_cases.h"
 #include "lumped_records.h"
 
 namespace taut::study
@@ -14,33 +15,12 @@ namespace taut::study
 namespace
 {
 using lumped_records::Records;
-
-/// K = 1, e(5 kV) = 0.3, 5 Hz at omega = 1.
-Case make_case(const double pre_stretch)
-{
-  Case result;
-  result.model = "demes";
-  auto& device = result.lumped_demes;
-  device.film_length = 0.02;
-  device.film_width = 0.04;
-  device.film_thickness = 5e-4;
-  device.pre_stretch = pre_stretch;
-  device.shear_modulus = 52246.6;
-  device.viscosity = 49.9;
-  device.frame_modulus = 2e9;
-  device.frame_thickness = 5e-4;
-  device.frame_width = 0.2508 * pre_stretch * device.film_length;
-  device.inertia = 2.117476e-5;
-  device.source = Signal::constant(5000);
-  result.procedure.end_time = 1;
-  result.output.history_intervals = 50;
-  return result;
-}
+using taut::testing::make_lumped_demes_case;
 } // namespace
 
 TEST(RunDemes, RowsAreInSiUnits)
 {
-  Case run_case = make_case(2);
+  Case run_case = make_lumped_demes_case(2);
   run_case.lumped_demes.source = Signal();
   Records records;
   const auto summary = run_demes(run_case, records);
@@ -59,8 +39,8 @@ TEST(RunDemes, RowsAreInSiUnits)
 TEST(RunDemes, ChargeIsThatOfTheDeformedCapacitor)
 {
   Records records;
-  run_demes(make_case(2), records);
-  const auto& device = make_case(2).lumped_demes;
+  run_demes(make_lumped_demes_case(2), records);
+  const auto& device = make_lumped_demes_case(2).lumped_demes;
   const double stretch = records.get(0, "stretch");
   const double phi = lumped::wang_permittivity.value(stretch);
   const double capacitance = 8.8541878128e-12 * device.relative_permittivity *
@@ -72,7 +52,7 @@ TEST(RunDemes, ChargeIsThatOfTheDeformedCapacitor)
 
 TEST(RunDemes, HeldChargeIsTheOneGiven)
 {
-  Case run_case = make_case(2);
+  Case run_case = make_lumped_demes_case(2);
   run_case.lumped_demes.charge_controlled = true;
   run_case.lumped_demes.source = Signal::constant(1e-6);
   Records records;
@@ -83,7 +63,7 @@ TEST(RunDemes, HeldChargeIsTheOneGiven)
 
 TEST(RunDemes, EnergyIsBalanced)
 {
-  Case run_case = make_case(3);
+  Case run_case = make_lumped_demes_case(3);
   run_case.lumped_demes.source = Signal::sine(1000, 5000, 7.5, 0);
   Records records;
   const auto summary = run_demes(run_case, records);
@@ -93,7 +73,7 @@ TEST(RunDemes, EnergyIsBalanced)
 
 TEST(RunDemes, FlatStartTellsItsSeedAndThatTheFilmPushes)
 {
-  Case run_case = make_case(3);
+  Case run_case = make_lumped_demes_case(3);
   run_case.lumped_demes.start = DemesStart::flat;
   run_case.lumped_demes.source = Signal();
   Records records;
@@ -112,7 +92,7 @@ TEST(RunDemes, FlatStartTellsItsSeedAndThatTheFilmPushes)
 
 TEST(RunDemes, HeatedRunStartsAtTheRestShapeOfTheColdFrame)
 {
-  Case run_case = make_case(2);
+  Case run_case = make_lumped_demes_case(2);
   run_case.lumped_demes.source = Signal();
   run_case.lumped_demes.temperature = 340;
   Records records;
@@ -125,9 +105,44 @@ TEST(RunDemes, HeatedRunStartsAtTheRestShapeOfTheColdFrame)
   EXPECT_GT(highest, 0.9068);
 }
 
+TEST(RunDemes, RestStatesAreThoseOfThePaper)
+{
+  // The seven stretches that Wang et al. (2024) list, to their two decimals.
+  const std::vector<double> stretches = {1.78, 1.70, 1.63, 1.57,
+                                         1.53, 1.48, 1.45};
+  for (std::size_t i = 0; i < stretches.size(); ++i)
+  {
+    Case run_case = make_lumped_demes_case(2 + 0.5 * double(i));
+    run_case.lumped_demes.source = Signal();
+    run_case.procedure.analysis = structure::Analysis::equilibrium;
+    Records records;
+    run_demes(run_case, records);
+    EXPECT_NEAR(records.get(0, "stretch"), stretches[i], 0.005);
+    EXPECT_EQ(records.get(0, "stretch"), records.get(0, "inner stretch"));
+  }
+}
+
+TEST(RunDemes, RestStatesGoWithTheSourceAndTheTemperature)
+{
+  Case run_case = make_lumped_demes_case(2);
+  run_case.lumped_demes.source = Signal::table({0, 1}, {0, 10000});
+  run_case.procedure.analysis = structure::Analysis::equilibrium;
+  Records records;
+  EXPECT_EQ(run_demes(run_case, records).status, Status::completed);
+  ASSERT_EQ(records.rows.size(), 51u);
+  // e = 0.491 straightens it, 8.19 kV; e is 0.06 for every kV.
+  for (std::size_t i = 0; i < records.rows.size(); ++i)
+    EXPECT_EQ(records.get(i, "angle") == 0,
+              records.get(i, "voltage") > 0.491 / 0.06 * 1000);
+  run_case.lumped_demes.temperature = 340;
+  Records hot;
+  run_demes(run_case, hot);
+  EXPECT_NEAR(hot.get(0, "angle"), 0.9068, 1e-4);
+}
+
 TEST(RunDemes, GivingUpIsAFailedRun)
 {
-  Case run_case = make_case(2);
+  Case run_case = make_lumped_demes_case(2);
   run_case.lumped_demes.source = Signal::expression("t > 0.1 ? 1e205 : 0", {});
   Records records;
   const auto summary = run_demes(run_case, records);
@@ -141,7 +156,7 @@ TEST(RunDemes, ImpossibleCasesAreRefused)
   Records records;
   const auto expect_refusal = [&](const auto& change)
   {
-    Case run_case = make_case(2);
+    Case run_case = make_lumped_demes_case(2);
     change(run_case);
     EXPECT_THROW(run_demes(run_case, records), BadInput);
   };

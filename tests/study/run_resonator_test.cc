@@ -171,12 +171,93 @@ TEST(RunResonator, BalancesItsEnergy)
   EXPECT_GT(records.get(records.rows.size() - 1, "dissipated energy"), 0);
 }
 
-TEST(RunResonator, RefusesAnEquilibriumBeforeAnythingIsWritten)
+TEST(RunResonator, EquilibriaAreThoseOfALongRun)
+{
+  // After 30 of the longest relaxation times at a held voltage.
+  Case held = make_resonator_case();
+  held.lumped_resonator.voltage = Signal::constant(5000);
+  held.procedure.end_time = 3000;
+  Records slow, still;
+  EXPECT_EQ(run_resonator(held, slow).status, Status::completed);
+  held.procedure.analysis = structure::Analysis::equilibrium;
+  EXPECT_EQ(run_resonator(held, still).status, Status::completed);
+  ASSERT_EQ(still.rows.size(), slow.rows.size());
+  // Tolerances of the slow run.
+  for (const char* name : {"stretch active", "natural frequency", "charge"})
+    EXPECT_NEAR(still.get(0, name) / slow.get(slow.rows.size() - 1, name), 1,
+                1e-7)
+        << name;
+}
+
+TEST(RunResonator, EquilibriaEndWhereTheTensionIsLost)
 {
   Case still = make_resonator_case();
   still.procedure.analysis = structure::Analysis::equilibrium;
+  still.lumped_resonator.length_passive = 0.02;
+  still.lumped_resonator.pre_stretch = {2, 4};
   Records records;
-  EXPECT_THROW(run_resonator(still, records), BadInput);
+  const auto summary = run_resonator(still, records);
+  EXPECT_EQ(summary.status, Status::event);
+  ASSERT_EQ(records.events.size(), 1u);
+  EXPECT_EQ(records.events[0].name, "loss of tension along x_1");
+  const double last = double(records.rows.size()) - 1;
+  // V* of the thesis' resonator, 0.22391; V* = 1 is L_3 sqrt(G / eps) = 31.003
+  // kV here. The ramp is 9300 V/s.
+  const double voltage = records.get(std::size_t(last), "voltage");
+  EXPECT_NEAR(voltage / (1e-3 * std::sqrt(40e3 / permittivity)), 0.22391, 5e-6);
+  EXPECT_NEAR(records.events[0].time, voltage / 9300, 1e-12);
+}
+
+TEST(RunResonator, PreStretchThatHasNoTensionFailsAtTheStart)
+{
+  Case loose = make_resonator_case();
+  loose.procedure.analysis = structure::Analysis::equilibrium;
+  loose.lumped_resonator.pre_stretch = {1, 1};
+  Records records;
+  EXPECT_EQ(run_resonator(loose, records).status, Status::event);
+  ASSERT_EQ(records.events.size(), 1u);
+  EXPECT_TRUE(records.events[0].at_start);
+  EXPECT_EQ(records.rows.size(), 1u);
+}
+
+TEST(RunResonator, FindsTheVoltageThatCanBeHeld)
+{
+  // V_p* = 0.22026 of the thesis' resonator at a rate of 10, reached with a
+  // hold of many relaxation times; its ramp alone fails later.
+  Case fast = make_resonator_case();
+  fast.lumped_resonator.length_passive = 0.02;
+  fast.lumped_resonator.pre_stretch = {2, 4};
+  const double unit = 1e-3 * std::sqrt(40e3 / permittivity);
+  fast.lumped_resonator.voltage =
+      Signal::ramp(10 * unit, 0, std::numeric_limits<double>::infinity());
+  fast.lumped_resonator.hold_time = 3000;
+  fast.procedure.start = structure::Start::relaxed;
+  Records records;
+  const auto summary = run_resonator(fast, records);
+  const double limit = summary.findings.at("hold limit");
+  EXPECT_NEAR(limit / unit, 0.22026, 5e-6);
+  EXPECT_GT(records.get(records.rows.size() - 1, "voltage"), 1.01 * limit);
+  Case still = fast;
+  still.lumped_resonator.voltage = Signal::constant(limit);
+  still.lumped_resonator.hold_time = 0;
+  still.procedure.analysis = structure::Analysis::equilibrium;
+  Records relaxed;
+  EXPECT_TRUE(run_resonator(still, relaxed).findings.empty());
+  EXPECT_NEAR(summary.findings.at("natural frequency at hold limit"),
+              relaxed.get(0, "natural frequency"), 1e-9);
+}
+
+TEST(RunResonator, RefusesWhatItCannotDoBeforeAnythingIsWritten)
+{
+  Case path = make_resonator_case();
+  path.procedure.analysis = structure::Analysis::continuation;
+  Records records;
+  EXPECT_THROW(run_resonator(path, records), BadInput);
+  EXPECT_TRUE(records.columns.empty());
+  Case level = make_resonator_case();
+  level.lumped_resonator.voltage = Signal::constant(1000);
+  level.lumped_resonator.hold_time = 10;
+  EXPECT_THROW(run_resonator(level, records), BadInput);
   EXPECT_TRUE(records.columns.empty());
 }
 

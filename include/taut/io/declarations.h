@@ -3,11 +3,10 @@
 #include <taut/io/case_text.h>
 #include <taut/io/formats.h>
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <functional>
 #include <iosfwd>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace taut::io
@@ -39,8 +38,9 @@ struct SectionDocumentation
 class Section;
 
 /// All sections and keys of a case, bound to the variables that receive the
-/// values. dealii::ParameterHandler checks, holds and prints them; this class
-/// adds what it lacks: lines, units and names in every refusal.
+/// values. dealii::ParameterHandler prints them; this class adds what it lacks:
+/// lines, units and names in every refusal, and speed, for studies of many
+/// cases.
 class Declarations
 {
 public:
@@ -96,10 +96,14 @@ private:
   [[noreturn]] void refuse_key(const Entry& entry) const;
   void declare(const Parameter& parameter,
                const std::function<void(const std::string&)>& take);
+  std::size_t get_index(const SectionPath& section,
+                        const std::string& key) const;
 
-  // Entering a section changes the handler's position, not its content.
-  mutable dealii::ParameterHandler handler_;
   std::vector<Parameter> parameters_;
+  /// Of each parameter: its present text, and what hands it to its variable.
+  std::vector<std::string> texts_;
+  std::vector<std::function<void(const std::string&)>> takers_;
+  std::unordered_map<std::string, std::size_t> indices_;
   std::vector<SectionDocumentation> sections_;
   std::vector<Kind> kinds_;
 };

@@ -9,6 +9,8 @@ namespace taut::io
 std::string read_file(const std::string& file);
 
 /// Writes `content` beside `file`, down to the disk, and renames: a process
-/// that dies in between leaves the old file. Errors: std::runtime_error.
-void replace_file(const std::string& file, const std::string& content);
+/// that dies in between leaves the old file. Without waiting for the disk, a
+/// machine that dies may leave neither. Errors: std::runtime_error.
+void replace_file(const std::string& file, const std::string& content,
+                  bool wait_for_disk = true);
 } // namespace taut::io

@@ -15,6 +15,9 @@ enum class FolderUse
 struct OutputFolder
 {
   std::string path;
+  /// Whether the files of a finished run are on the disk before it ends. Runs
+  /// that take less time than the disk may do without.
+  bool wait_for_disk = true;
 
   std::string get(const std::string& name) const
   {

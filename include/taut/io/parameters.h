@@ -47,8 +47,8 @@ CaseFile make_case_file(const CaseText& original,
 study::Case read_case(const std::string& file,
                       const std::vector<std::string>& overrides = {});
 
-/// Writes the sections of case and study files with every key, its default, meaning,
-/// range and unit: all of them, or those called `section` ("Film",
+/// Writes the sections of case and study files with every key, its default,
+/// meaning, range and unit: all of them, or those called `section` ("Film",
 /// "Integrator") and the sections inside them. Errors: BadInput with the
 /// nearest name if there is none.
 void describe(std::ostream& stream, const std::string& section = "");

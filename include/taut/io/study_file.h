@@ -54,18 +54,19 @@ struct StudyFile
   StudyIdentity identity;
   /// The study and its case as they were written.
   CaseText text, case_text;
+  std::vector<study::StudyCase> cases;
 };
 
 /// Reads and checks a study and its case file; `overrides` are texts
-/// `Section/Key = value` about keys of the study. Errors: BadInput with file,
-/// line and key, what is allowed and the nearest name.
+/// `Section/Key = value` about keys of the study. The keys of all cases are
+/// checked, their values are not. A variable without a unit gets that of its
+/// key. Errors: BadInput with file, line and key, what is allowed and the
+/// nearest name; the study's line for a key that its case cannot have.
 StudyFile read_study_file(const std::string& file,
                           const std::vector<std::string>& overrides = {});
 
-/// All cases, each checked for keys that its case file cannot have. Values are
-/// not looked at. Errors: as study::expand; BadInput at the study's line for an
-/// unknown key, with the nearest one, and at the case file's line for its own.
-std::vector<study::StudyCase> make_cases(const StudyFile& study);
+/// The part of it that makes the cases.
+void set_cases(StudyFile& study);
 
 /// `Section/Key = value` of all keys of the case, as for read_case_file.
 std::vector<std::string> get_overrides(const study::StudyCase& study_case);

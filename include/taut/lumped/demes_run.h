@@ -92,6 +92,10 @@ struct DemesRunOptions
   long max_steps = 5000000;
 };
 
+/// Errors: BadInput if the run does not end after it starts, or for an
+/// impossible tolerance.
+void validate(const DemesRunOptions& options);
+
 struct DemesRun
 {
   std::vector<DemesRow> rows;
@@ -106,6 +110,15 @@ struct DemesRun
   std::vector<std::string> notes;
   time::OdeStatistics statistics;
 };
+
+/// The rest states at the drives of the history, as if it went infinitely
+/// slowly: from that of make_rest_start always to the stable one next to the
+/// last. Only the times of the options count. What is dissipated and the
+/// source's work are not tracked, and the film's force is looked at in the rows
+/// alone.
+/// Errors: BadInput for impossible parameters or options, SolverFailed if there
+/// is no stable shape.
+DemesRun run_rest_states(const Demes& demes, const DemesRunOptions& options);
 
 /// Integrates the boxed equations.
 /// Errors: BadInput for impossible parameters or options, SolverFailed if the

@@ -70,6 +70,9 @@ struct ResonatorRunOptions
   time::OdeOptions ode;
 };
 
+/// Errors: BadInput if the run does not end after it starts.
+void validate(const ResonatorRunOptions& options);
+
 struct ResonatorRun
 {
   std::vector<ResonatorRow> rows;

@@ -20,6 +20,13 @@ ResonatorRow find_relaxed_state(const Resonator& resonator, double voltage);
 /// Errors: BadInput for impossible parameters.
 ResonatorEvent find_static_failure(const Resonator& resonator);
 
+/// The relaxed states at the voltages of the resonator's own history, as if it
+/// went infinitely slowly, to the first failure. One that the pre-stretch alone
+/// brings ends the run with its first row.
+/// Errors: BadInput for impossible parameters or options.
+ResonatorRun run_static(const Resonator& resonator,
+                        const ResonatorRunOptions& options);
+
 /// V* at which a relaxed resonator loses the tension along x_1, in closed form:
 /// there lambda_1B = lambda_2^(-1/2), and s_1A = 0 gives
 ///   V*^2 = chi J_lim (1 - lambda_1A^-4 lambda_2^-2) / (D lambda_2^2).

@@ -37,9 +37,7 @@ struct DampedMode
 /// motion exp(omega t), times 1 + omega T_r: right where omega T_r is large.
 /// Leaves the tangent frozen. Collective. Errors as Vibration and
 /// time::find_damped_rate.
-std::vector<DampedMode>
-compute_damped_modes(Vibration& vibration,
-                     const std::vector<time::VibrationMode>& modes,
-                     const std::vector<time::VibrationMode>& others,
-                     bool at_rest = true);
+std::vector<DampedMode> compute_damped_modes(
+    Vibration& vibration, const std::vector<time::VibrationMode>& modes,
+    const std::vector<time::VibrationMode>& others, bool at_rest = true);
 } // namespace taut::structure

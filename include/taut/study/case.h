@@ -150,6 +150,8 @@ struct LumpedResonatorDescription
   double relative_permittivity = 4.7;
   double breakdown_strength = 0; ///< (V/m)
   Signal voltage;                ///< (V)
+  /// For which the highest voltage that can be held is sought (s); 0 = not.
+  double hold_time = 0;
 };
 
 /// With which shape a lumped DEMES begins.

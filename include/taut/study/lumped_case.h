@@ -4,6 +4,7 @@
 #include <taut/lumped/resonator_si.h>
 #include <taut/study/run.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,25 @@ namespace taut::study
 lumped::ResonatorSI make_resonator_si(const LumpedResonatorDescription& device);
 
 /// Runs the lumped model of `device` from the start to the end of `procedure`,
-/// with inertia if its analysis is a transient, to the first failure. Rows are
-/// at `output_times` (s, increasing), the start and the end.
-/// Errors: BadInput for impossible parameters and for the analysis
-/// `equilibrium`, SolverFailed as lumped::run_quasi_static.
+/// with inertia if its analysis is a transient and relaxed at all times if it
+/// is an equilibrium, to the first failure. Rows are at `output_times` (s,
+/// increasing), the start and the end.
+/// Errors: BadInput for impossible parameters, for the analysis `continuation`
+/// and for a hold time without a voltage that rises, SolverFailed as
+/// lumped::run_quasi_static.
 lumped::ResonatorRun run_lumped(const LumpedResonatorDescription& device,
                                 const ProcedureDescription& procedure,
                                 const std::vector<double>& output_times);
+
+/// The highest voltage to which the source can rise, at the rate it has at the
+/// start of `procedure`, and then stay for the device's hold time without a
+/// failure, "hold limit" (V), and the "natural frequency at hold limit" (Hz)
+/// once everything has relaxed there.
+/// Errors: BadInput for impossible parameters and a voltage that does not rise,
+/// SolverFailed as lumped::find_hold_limit.
+std::map<std::string, double>
+find_hold_limit(const LumpedResonatorDescription& device,
+                const ProcedureDescription& procedure);
 
 /// A row of the lumped model in SI units.
 struct LumpedRow

@@ -15,10 +15,11 @@ namespace taut::study
 /// temperature laws or another number of permittivity coefficients than 0 or 3.
 lumped::DemesSI make_demes_si(const LumpedDemesDescription& device);
 
-/// Runs the lumped model of `device` from the start to the end of `procedure`.
+/// Runs the lumped model of `device` from the start to the end of `procedure`;
+/// with the analysis `equilibrium` it rests at all times, at its temperature.
 /// Rows are at `output_times` (s, increasing), the start and the end.
 /// Errors: BadInput for impossible parameters and for another analysis than
-/// `transient`, SolverFailed as lumped::run_demes.
+/// these two, SolverFailed as lumped::run_demes.
 lumped::DemesRun run_lumped(const LumpedDemesDescription& device,
                             const ProcedureDescription& procedure,
                             const std::vector<double>& output_times);

@@ -25,9 +25,8 @@ using WriteModeShapes = std::function<void(const ModeShapes&)>;
 /// run ends. The report is in the summary. Failures end in Status::failed as in
 /// run_film: also where no equilibrium lies next to the state, or if an event
 /// or an interruption ends the run before. Errors as run_film.
-RunSummary run_film_modes(const Case& run_case,
-                          structure::Structure& structure, RunOutput& output,
-                          const WriteModeShapes& write);
+RunSummary run_film_modes(const Case& run_case, structure::Structure& structure,
+                          RunOutput& output, const WriteModeShapes& write);
 
 /// The same for a lumped model, which has one mode. A resonator vibrates about
 /// its balance at the internal stretches of the state, a DEMES about the

@@ -60,15 +60,16 @@ struct MotionEvidence
 ///   is below epsilon times that of the whole run;
 /// - periodic: for the smallest n up to 16 all n classes of every n-th point of
 ///   the second half of the section have at least 4 points each and extend by
-///   less than epsilon. Points are (value, velocity) of a strobe, or (velocity,
-///   time since the last crossing) of a free motion;
+///   less than epsilon; for n > 1 the distances |x_(k+1) - x_k| must not change
+///   as they do in a transient. Points are (value, velocity) of a strobe, or
+///   (velocity, time since the last crossing) of a free motion;
 /// - transient: fewer than 24 points, or the distances |x_(k+n) - x_k| of the n
 ///   (up to 8) that repeats best change from the first third of the section to
 ///   the last by more than a quarter in root mean square; or the largest
 ///   Lyapunov exponent is known and negative by three standard errors;
 /// - irregular: that exponent is positive by three standard errors; without it,
 ///   the 0-1 test of the section's values (Gottwald and Melbourne, SIAM J.
-///   Appl. Dyn. Syst. 8 (2009), 2.1 and 3) gives more than one half. It needs
+///   Appl. Dyn. Syst. 8 (2009)) gives more than one half. It needs
 ///   100 points, below which the motion counts as transient;
 /// - quasi-periodic: what remains.
 MotionVerdict classify_motion(const MotionEvidence& evidence, double tolerance);

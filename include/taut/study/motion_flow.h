@@ -27,7 +27,8 @@ class MotionFlow
 public:
   virtual ~MotionFlow() = default;
 
-  /// With which the case starts at a time.
+  /// With which the case starts at a time. Errors: SolverFailed if the device
+  /// fails there already.
   virtual std::vector<double> make_start(double time) const = 0;
   /// By which differences of the components of states are measured.
   virtual std::vector<double> get_scales() const = 0;

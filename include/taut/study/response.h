@@ -33,10 +33,10 @@ struct ResponsePoint
   bool reproducible = false;
 };
 
-/// Watches a motion block by block (8 periods each) until it has settled: what
-/// the last change of its mean and of its amplitude lets expect of further
-/// changes, as a geometric series of the last two, is less than `tolerance`
-/// times the amplitude.
+/// Watches a motion block by block (8 periods each) until it has settled: twice
+/// in a row, what the last change of its mean and of its amplitude lets expect
+/// of further changes, as a geometric series of the last two, is less than
+/// `tolerance` times the amplitude.
 class SettlingWatch
 {
 public:
@@ -46,7 +46,10 @@ public:
   bool add(double mean, double amplitude);
 
 private:
+  bool is_calm(double allowed) const;
+
   double tolerance_;
+  bool was_calm_ = false;
   std::vector<std::array<double, 2>> blocks_;
 };
 

@@ -63,6 +63,8 @@ struct RunSummary
   std::vector<Column> columns;
   std::vector<double> final_row;
   std::map<std::string, double> counters;
+  /// Numbers that no row has, by name.
+  std::map<std::string, double> findings;
   /// What the user should know and no number says.
   std::vector<std::string> notes;
   /// The row of history.csv for the rest shape on the other side, if it was

@@ -27,8 +27,8 @@ struct DampedVibration
 /// The s (1/s) of the damped motion that resembles the vector `shape` most: of
 /// those that swing, the one with the largest |q . shape|/|q|; where one that
 /// only creeps is more alike, the one of these that grows fastest or fades
-/// last. The imaginary part is not negative. Dense (SLEPc, LAPACK); on one rank. Errors:
-/// SolverFailed.
+/// last. The imaginary part is not negative. Dense (SLEPc, LAPACK); on one
+/// rank. Errors: SolverFailed.
 std::complex<double> find_damped_rate(const DampedVibration& vibration,
                                       const std::vector<double>& shape);
 } // namespace taut::time
