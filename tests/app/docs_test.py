@@ -40,6 +40,7 @@ REDUCED = {
     r"\./taut study docs/tutorial/finger_study\.prm":
         "--set 'Vary thickness/Range = 2.8e-4, 3.2e-4, 2'",
     r"\./taut study prm/papers": "--dry-run",
+    r"\./taut study prm/studies/modes": "--set 'Vary kilovolts/Values = 0, 4'",
     r"\./taut study prm/studies/(?!pre_stretch)": "--dry-run",
     r"\./taut render (?!.*--times)": "--frames 1 --size 400x300",
     r"\./taut render .*--times": "--size 400x300",
