@@ -4,12 +4,15 @@
 #include <taut/io/first_rank.h>
 #include <taut/io/folder_output.h>
 #include <taut/io/interrupt.h>
+#include <taut/io/modes_writer.h>
 #include <taut/io/versions.h>
+#include <taut/study/modes.h>
 #include <taut/study/run_demes.h>
 #include <taut/study/run_resonator.h>
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 
 namespace taut::app
@@ -50,22 +53,43 @@ study::RunSummary attempt(const study::Case& run_case,
 }
 
 study::RunSummary run_lumped_case(const study::Case& lumped_case,
-                                  study::RunOutput& output)
+                                  const Task task, study::RunOutput& output)
 {
+  if (task == Task::modes)
+    return study::run_lumped_modes(lumped_case, output);
   return lumped_case.model == "demes"
              ? study::run_demes(lumped_case, output)
              : study::run_resonator(lumped_case, output);
+}
+
+/// The modes as lines for the user.
+std::string describe(const study::ModesReport& report)
+{
+  std::string text = fmt::format(
+      "modes about the state at t = {:.6g} s, which is {}:", report.time,
+      report.stable ? "stable" : "unstable");
+  for (std::size_t i = 0; i < report.modes.size(); ++i)
+  {
+    const auto& mode = report.modes[i];
+    text += fmt::format("\n{:4}  {:12.6g} Hz", i + 1, mode.frequency());
+    if (mode.square < 0)
+      text += fmt::format("  unstable, omega^2 = {:.6g} 1/s^2", mode.square);
+    if (std::abs(mode.damping_ratio) > 1e-9)
+      text += fmt::format("  damping ratio {:.3g}", mode.damping_ratio);
+  }
+  return text;
 }
 
 /// One run into a folder.
 class CaseRun
 {
 public:
-  CaseRun(const io::CaseFile& case_file, const io::OutputFolder& folder,
-          const io::FolderUse use, const MPI_Comm communicator,
-          const Clock::time_point began, io::RecordedRun* record)
+  CaseRun(const io::CaseFile& case_file, const Task task,
+          const io::OutputFolder& folder, const io::FolderUse use,
+          const MPI_Comm communicator, const Clock::time_point began,
+          io::RecordedRun* record)
       : communicator_(communicator), began_(began), folder_(folder), use_(use),
-        case_file_(case_file), record_(record)
+        case_file_(case_file), task_(task), record_(record)
   {
   }
 
@@ -121,9 +145,20 @@ private:
                     else
                       model.adapt(film_case);
                     greet(output, model);
-                    return study::run_film(film_case, model.structure(), all,
-                                           checkpoint);
+                    return task_ == Task::modes
+                               ? find_modes(model.structure(), all)
+                               : study::run_film(film_case, model.structure(),
+                                                 all, checkpoint);
                   });
+  }
+
+  study::RunSummary find_modes(structure::Structure& structure,
+                               study::RunOutput& output) const
+  {
+    return study::run_film_modes(case_file_.content, structure, output,
+                                 [this](const study::ModeShapes& shapes) {
+                                   io::write_mode_shapes(folder_.path, shapes);
+                                 });
   }
 
   study::RunSummary run_lumped()
@@ -134,7 +169,7 @@ private:
                      case_file_.content.file, 0, "");
     io::FolderOutput output = open_output();
     return finish(output, [&](study::RunOutput& all)
-                  { return run_lumped_case(case_file_.content, all); });
+                  { return run_lumped_case(case_file_.content, task_, all); });
   }
 
   study::Checkpoint restore(const structure::Structure& structure)
@@ -168,10 +203,23 @@ private:
         recording ? static_cast<study::RunOutput&>(*recording) : output;
     const auto summary =
         attempt(case_file_.content, began_, [&] { return calculate(all); });
+    if (summary.modes)
+      write_modes(*summary.modes, output);
     for (const std::string& note : summary.notes)
       output.say("note: " + note);
     output.finish(summary);
     return summary;
+  }
+
+  void write_modes(const study::ModesReport& modes, io::FolderOutput& output)
+  {
+    io::on_first_rank(communicator_,
+                      [&]
+                      {
+                        io::write_mode_table(folder_.get("modes.csv"), modes);
+                        return true;
+                      });
+    output.say(describe(modes));
   }
 
   const MPI_Comm communicator_;
@@ -179,22 +227,25 @@ private:
   const io::OutputFolder& folder_;
   const io::FolderUse use_;
   const io::CaseFile& case_file_;
+  const Task task_;
   io::RecordedRun* record_;
   /// Empty unless the run is resumed.
   io::StoredRun stored_;
 };
 } // namespace
 
-study::RunSummary run_case(const io::CaseFile& case_file,
+study::RunSummary run_case(const io::CaseFile& case_file, const Task task,
                            const io::OutputFolder& folder,
                            const io::FolderUse use, const MPI_Comm communicator,
                            const Clock::time_point began,
                            io::RecordedRun* record)
 {
-  return CaseRun(case_file, folder, use, communicator, began, record).run();
+  return CaseRun(case_file, task, folder, use, communicator, began, record)
+      .run();
 }
 
 study::RunSummary run_case_in_memory(const io::CaseFile& case_file,
+                                     const Task task,
                                      const MPI_Comm communicator,
                                      io::RecordedRun& record)
 {
@@ -208,8 +259,12 @@ study::RunSummary run_case_in_memory(const io::CaseFile& case_file,
                  [&]
                  {
                    if (!model)
-                     return run_lumped_case(content, output);
+                     return run_lumped_case(content, task, output);
                    model->adapt(content);
+                   if (task == Task::modes)
+                     return study::run_film_modes(
+                         content, model->structure(), output,
+                         [](const study::ModeShapes&) {});
                    return study::run_film(content, model->structure(), output);
                  });
 }

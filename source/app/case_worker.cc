@@ -13,11 +13,11 @@ namespace taut::app
 namespace
 {
 /// A run of a study is only there to be looked at.
-study::RunSummary run_anew(const io::CaseFile& case_file,
+study::RunSummary run_anew(const io::CaseFile& case_file, const Task task,
                            const io::OutputFolder& folder,
                            const MPI_Comm communicator, io::RecordedRun& record)
 {
-  const auto summary = run_case(case_file, folder, io::FolderUse::replace,
+  const auto summary = run_case(case_file, task, folder, io::FolderUse::replace,
                                 communicator, Clock::now(), &record);
   record.read_summary = [folder]
   { return io::read_run(folder).read_summary(); };
@@ -34,8 +34,9 @@ std::optional<study::RunSummary> resume(const io::CaseFile& case_file,
     return std::nullopt;
   try
   {
-    const auto summary = run_case(case_file, folder, io::FolderUse::resume,
-                                  communicator, Clock::now());
+    const auto summary =
+        run_case(case_file, Task::run, folder, io::FolderUse::resume,
+                 communicator, Clock::now());
     // What was computed before is only there.
     record = io::read_run(folder);
     return summary;
@@ -49,9 +50,11 @@ std::optional<study::RunSummary> resume(const io::CaseFile& case_file,
 study::RunSummary run(const io::CaseJob& job, const io::CaseFile& case_file,
                       const MPI_Comm communicator, io::RecordedRun& record)
 {
+  const Task task = job.command == "modes" ? Task::modes : Task::run;
   if (job.folder.empty())
   {
-    const auto summary = run_case_in_memory(case_file, communicator, record);
+    const auto summary =
+        run_case_in_memory(case_file, task, communicator, record);
     record.read_summary = [summary, &case_file, communicator]
     {
       return io::make_run_json(summary, io::measure_machine(communicator),
@@ -61,10 +64,10 @@ study::RunSummary run(const io::CaseJob& job, const io::CaseFile& case_file,
   }
   const bool is_long = case_file.content.model == "film";
   const io::OutputFolder folder{job.folder, is_long};
-  if (job.resume)
+  if (job.resume && task == Task::run)
     if (const auto summary = resume(case_file, folder, communicator, record))
       return *summary;
-  return run_anew(case_file, folder, communicator, record);
+  return run_anew(case_file, task, folder, communicator, record);
 }
 
 /// Until the first that no case can have.

@@ -53,7 +53,7 @@ int run(const RunArguments& arguments, const MPI_Comm communicator)
   const auto began = Clock::now();
   const auto case_file =
       io::read_case_file(arguments.case_file, arguments.overrides);
-  return get_run_code(run_case(case_file, get_run_folder(arguments),
+  return get_run_code(run_case(case_file, Task::run, get_run_folder(arguments),
                                get_use(arguments), communicator, began)
                           .status);
 }

@@ -57,13 +57,6 @@ void list_cases(const io::StudyFile& study)
   }
 }
 
-void check_command(const io::StudyFile& study)
-{
-  if (study.content.command != "run")
-    study.text.refuse({}, "Command",
-                      "studies of vibration modes are not possible yet");
-}
-
 int run_all(const StudyArguments& arguments,
             const std::vector<io::StudyFile>& studies)
 {
@@ -91,8 +84,6 @@ int study(const StudyArguments& arguments, const MPI_Comm communicator)
   std::vector<io::StudyFile> studies;
   for (const std::string& file : arguments.study_files)
     studies.push_back(io::read_study_file(file, arguments.overrides));
-  for (const io::StudyFile& file : studies)
-    check_command(file);
   if (!arguments.dry_run)
     return run_all(arguments, studies);
   for (const io::StudyFile& file : studies)

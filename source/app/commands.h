@@ -17,6 +17,9 @@ using Action = std::function<int(MPI_Comm)>;
 void add_check(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);
 void add_describe(CLI::App& program, Action& chosen);
+void add_modes(CLI::App& program, Action& chosen);
+void add_render(CLI::App& program, Action& chosen);
+void add_report(CLI::App& program, Action& chosen);
 void add_run(CLI::App& program, Action& chosen);
 void add_study(CLI::App& program, Action& chosen);
 /// Hidden: what the processes of a study run.

@@ -36,9 +36,12 @@ int call(const int argc, char** argv, const MPI_Comm communicator)
                  "4 stopped by a fatal event, 5 interrupted.");
   Action chosen;
   add_run(program, chosen);
+  add_modes(program, chosen);
   add_study(program, chosen);
   add_work(program, chosen);
   add_compare(program, chosen);
+  add_render(program, chosen);
+  add_report(program, chosen);
   add_check(program, chosen);
   add_describe(program, chosen);
   try

@@ -1,5 +1,7 @@
 #include "python_script.h"
 
+#include <taut/base/exceptions.h>
+
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -14,6 +16,10 @@ namespace taut::app
 {
 namespace
 {
+constexpr const char* without_python =
+    "there is no python3 with matplotlib; install it by `apt install "
+    "python3-matplotlib`, or name another Python in TAUT_PYTHON";
+
 /// The program's exit code; -1 if it could not be started.
 int run_program(std::vector<std::string> words)
 {
@@ -55,8 +61,7 @@ std::string run_plot_script(const std::string& script,
 {
   const std::string python = find_python();
   if (python.empty())
-    return "no plots: there is no python3 with matplotlib; install it by `apt "
-           "install python3-matplotlib`, or name another Python in TAUT_PYTHON";
+    return std::string("no plots: ") + without_python;
   const std::string file = std::filesystem::path(TAUT_POSTPROCESS) / script;
   std::vector<std::string> words = {python, "-B", file};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -64,5 +69,20 @@ std::string run_plot_script(const std::string& script,
   if (code == 0)
     return "";
   return fmt::format("no plots: {} {} ended with code {}", python, file, code);
+}
+
+int run_script(const std::string& script,
+               const std::vector<std::string>& arguments)
+{
+  const std::string python = find_python();
+  if (python.empty())
+    throw BadInput(without_python);
+  std::vector<std::string> words = {
+      python, "-B", std::filesystem::path(TAUT_POSTPROCESS) / script};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const int code = run_program(words);
+  if (code < 0)
+    throw std::runtime_error(python + " could not run " + script);
+  return code;
 }
 } // namespace taut::app

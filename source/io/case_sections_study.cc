@@ -164,6 +164,30 @@ void declare_checkpoint(Section section, CheckpointDescription& checkpoint)
                    "wall time between checkpoints, 0 is never");
 }
 
+void declare_modes(Section section, ModesDescription& modes)
+{
+  using At = ModesDescription::At;
+  using Networks = ModesDescription::Networks;
+  section
+      .optional("Count", modes.count, count(1, 1000),
+                "number of vibration modes")
+      .optional("Near frequency", modes.near_frequency,
+                number(not_negative(), "Hz"),
+                "the modes next to it; 0 gives the lowest")
+      .optional("At", modes.at,
+                choice<At>({{"end", At::end}, {"start", At::start}}),
+                "about which state of the run")
+      .optional("Networks", modes.networks,
+                choice<Networks>({{"frozen", Networks::frozen},
+                                  {"relaxed", Networks::relaxed}}),
+                "whether networks are too slow to follow a vibration, or too "
+                "fast to resist it")
+      .optional("Amplitude", modes.amplitude,
+                number(positive(), "dimensionless"),
+                "largest displacement of a mode in fields.pvd, over the "
+                "extent of the device");
+}
+
 /// The model decides which keys are needed, which resolve_names checks.
 void declare_comparison(Section section, CaseDraft& draft)
 {
@@ -334,7 +358,8 @@ void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
   const Entry* model = text.find({}, "Model");
   if (model && model->value == "demes")
     declare_lumped_demes(all, content.lumped_demes);
-  for (const char* kind : {"Procedure", "Output", "Checkpoint", "Comparison"})
+  for (const char* kind :
+       {"Procedure", "Output", "Checkpoint", "Modes", "Comparison"})
     all.allow_section({}, kind, false);
   all.allow_section({"Procedure"}, "Integrator", false);
   declare_procedure(all.section({"Procedure"}, "what is done with the device"),
@@ -356,6 +381,8 @@ void declare_study(Declarations& all, const CaseText& text, CaseDraft& draft)
   declare_checkpoint(
       all.section({"Checkpoint"}, "when the run can be resumed from"),
       content.checkpoint);
+  declare_modes(all.section({"Modes"}, "what `taut modes` looks for"),
+                content.modes);
   declare_motion(all, text, content);
   if (text.find({"Comparison"}))
     declare_comparison(

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <ostream>
 #include <set>
 
@@ -34,6 +35,42 @@ void describe_section(std::ostream& stream, const Declarations& all,
       stream << fmt::format("  {} = {}\n      {}\n", parameter.key,
                             show_default(parameter), parameter.documentation);
   stream << '\n';
+}
+
+/// `a | b` would end a cell of a table.
+std::string make_cell(std::string text)
+{
+  for (std::size_t i = text.find('|'); i != std::string::npos;
+       i = text.find('|', i + 2))
+    text.insert(i, 1, '\\');
+  return text;
+}
+
+std::string start_upper(std::string text)
+{
+  text.at(0) = static_cast<char>(std::toupper(text.at(0)));
+  return text;
+}
+
+void describe_section_on_page(std::ostream& stream, const Declarations& all,
+                              const SectionDocumentation& section)
+{
+  stream << fmt::format("\n## {}\n\n{}.\n\n",
+                        section.section.empty() ? "Top level"
+                                                : join(section.section),
+                        start_upper(section.meaning));
+  bool first = true;
+  for (const Parameter& parameter : all.parameters())
+  {
+    if (parameter.section != section.section)
+      continue;
+    if (first)
+      stream << "| key | default | meaning |\n|---|---|---|\n";
+    first = false;
+    stream << fmt::format("| `{}` | {} | {} |\n", parameter.key,
+                          make_cell(show_default(parameter)),
+                          make_cell(parameter.documentation));
+  }
 }
 
 /// "Film" of "Film NAME".
@@ -87,5 +124,24 @@ void describe(std::ostream& stream, const std::string& section)
   if (!in_case && !in_study)
     throw BadInput(fmt::format("there is no section '{}'; {}", section,
                                suggest(section, {kinds.begin(), kinds.end()})));
+}
+
+void describe_as_page(std::ostream& stream)
+{
+  Declarations of_case, of_study;
+  CaseDraft case_draft;
+  StudyDraft study_draft;
+  declare_everything(of_case, case_draft);
+  declare_any_sweep(of_study, study_draft);
+  stream << "# Parameters of cases and studies\n\n"
+            "What `taut describe --markdown` prints. Sections called `KIND "
+            "NAME` may be given any number of times, under names of your own; "
+            "a section inside another stands behind a slash. Values are in SI "
+            "units and stand without them.\n";
+  for (const SectionDocumentation& section : of_case.sections())
+    describe_section_on_page(stream, of_case, section);
+  stream << "\n# Studies\n";
+  for (const SectionDocumentation& section : of_study.sections())
+    describe_section_on_page(stream, of_study, section);
 }
 } // namespace taut::io

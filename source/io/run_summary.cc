@@ -22,6 +22,56 @@ Json make_row(const std::vector<study::Column>& columns,
   return values;
 }
 
+/// The mode that moves most of the mass along x, y and z: where modes cross
+/// their numbers tell little. Empty for lumped models, which have no
+/// directions.
+Json make_largest_modes(const study::ModesReport& report)
+{
+  Json largest = Json::object();
+  for (std::size_t d = 0; d < 3; ++d)
+  {
+    double mass = 0;
+    for (std::size_t i = 0; i < report.modes.size(); ++i)
+    {
+      const auto& mode = report.modes[i];
+      if (mode.effective_masses.size() != 3 || mode.effective_masses[d] <= mass)
+        continue;
+      mass = mode.effective_masses[d];
+      largest[std::string(1, "xyz"[d])] = {{"mode", i + 1},
+                                           {"frequency", mode.frequency()},
+                                           {"square", mode.square},
+                                           {"effective_mass", mass}};
+    }
+  }
+  return largest;
+}
+
+Json make_modes(const study::ModesReport& report)
+{
+  Json modes;
+  modes["time"] = report.time;
+  modes["stable"] = report.stable;
+  modes["lowest_relaxed"] = report.lowest_relaxed;
+  modes["lowest_frozen"] = report.lowest_frozen;
+  modes["unstable_relaxed"] = report.unstable_relaxed;
+  modes["unstable_frozen"] = report.unstable_frozen;
+  for (const char* list : {"frequencies", "squares", "damping_ratios"})
+    modes[list] = Json::array();
+  for (const auto& mode : report.modes)
+  {
+    modes["frequencies"].push_back(mode.frequency());
+    modes["squares"].push_back(mode.square);
+    modes["damping_ratios"].push_back(mode.damping_ratio);
+  }
+  modes["largest_along"] = make_largest_modes(report);
+  modes["relaxation_times"] = Json::object();
+  for (const auto& relaxation : report.relaxations)
+    modes["relaxation_times"][relaxation.name] = relaxation.time;
+  modes["mass"] = report.total_mass;
+  modes["moved"] = report.moved;
+  return modes;
+}
+
 Json make_changes(const std::vector<ChangedParameter>& changed)
 {
   Json changes = Json::object();
@@ -96,6 +146,8 @@ std::string make_run_json(const study::RunSummary& summary,
   run["final"] = make_row(summary.columns, summary.final_row);
   if (!summary.other_branch.empty())
     run["other_branch"] = make_row(summary.columns, summary.other_branch);
+  if (summary.modes)
+    run["modes"] = make_modes(*summary.modes);
   if (!summary.findings.empty())
     run["findings"] = summary.findings;
   run["notes"] = summary.notes;

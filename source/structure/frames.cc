@@ -230,6 +230,12 @@ void Frames::add_stiffness(const LoadState& loads,
   }
 }
 
+void Frames::forget_linearisation()
+{
+  for (auto& unknowns : linearised_)
+    unknowns.clear();
+}
+
 void Frames::add_mass(const bool damping, fe::TangentMatrix& matrix) const
 {
   for (const auto& element : elements_)

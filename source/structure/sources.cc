@@ -179,6 +179,7 @@ void SourceBorder::eliminate(const std::function<void(double*)>& solve)
   if (empty())
     return;
   const std::size_t m = columns_.size();
+  solutions_.clear();
   schur_.reinit(m);
   for (std::size_t k = 0; k < m; ++k)
   {

@@ -83,17 +83,15 @@ void Structure::add_lumped_film_inertia()
                     rotary_[follower.rotation].inertia);
 }
 
-void Structure::add_frame_weight()
+void Structure::add_frame_weight(const fe::NodalVector& gravity,
+                                 fe::NodalVector& weight) const
 {
-  auto gravity = nodes().make_vector();
-  for (fe::LocalNode node = 0; node < nodes().n_local; ++node)
-    for (unsigned int c = 0; c < 3; ++c)
-      fe::entry(gravity, 3 * node + c) = device_.environment.gravity[c];
-  frames_->add_mass_product(false, gravity, weight_);
+  frames_->add_mass_product(false, gravity, weight);
   const auto add = [&](const fe::LocalNode node, const double mass)
   {
     for (unsigned int c = 0; c < 3; ++c)
-      fe::entry(weight_, 3 * node + c) += mass * device_.environment.gravity[c];
+      fe::entry(weight, 3 * node + c) +=
+          mass * fe::entry(gravity, 3 * node + c);
   };
   for (unsigned int b = 0; b < device_.bodies.size(); ++b)
     if (const auto centre =
@@ -121,15 +119,13 @@ std::vector<std::vector<fe::LocalNode>> Structure::get_frame_elements() const
   return elements;
 }
 
-void Structure::add_frame_masses(const bool damping,
+void Structure::add_point_masses(const double factor,
                                  fe::TangentMatrix& matrix) const
 {
-  frames_->add_mass(damping, matrix);
-  if (damping)
-    return;
   const auto add = [&](const fe::LocalNode node, const double mass)
   {
-    const std::array<double, 9> block{mass, 0, 0, 0, mass, 0, 0, 0, mass};
+    const double entry = factor * mass;
+    const std::array<double, 9> block{entry, 0, 0, 0, entry, 0, 0, 0, entry};
     matrix.add_element({node}, block.data(), nullptr);
   };
   for (const auto& loaded : masses_)
@@ -139,6 +135,15 @@ void Structure::add_frame_masses(const bool damping,
             nodes().local(device_nodes_.frames.bodies[b].centre);
         centre < nodes().n_owned)
       add(centre, device_.bodies[b].mass);
+}
+
+void Structure::add_frame_masses(const bool damping,
+                                 fe::TangentMatrix& matrix) const
+{
+  frames_->add_mass(damping, matrix);
+  if (damping)
+    return;
+  add_point_masses(1, matrix);
   for_each_rotation(
       [&](const fe::Rotation& rotation, const RotaryInertia& inertia)
       {
@@ -157,21 +162,10 @@ void Structure::add_frame_tangent(const fe::TangentRequest& request)
 {
   const double alpha = request.inertia ? request.alpha : 0.;
   frames_->add_stiffness(tangent_loads_, tangent_positions_, alpha,
-                         alpha * alpha, !request.inertia, *tangent_);
+                         alpha * alpha, !request.inertia && !request.exact,
+                         *tangent_);
   point_forces_->add_stiffness(tangent_loads_, tangent_positions_, *tangent_);
-  const auto add_mass = [&](const fe::LocalNode node, const double mass)
-  {
-    const double entry = alpha * alpha * mass;
-    const std::array<double, 9> block{entry, 0, 0, 0, entry, 0, 0, 0, entry};
-    tangent_->add_element({node}, block.data(), nullptr);
-  };
-  for (const auto& loaded : masses_)
-    add_mass(loaded.node, device_.masses[loaded.entry].mass);
-  for (unsigned int b = 0; b < device_.bodies.size(); ++b)
-    if (const auto centre =
-            nodes().local(device_nodes_.frames.bodies[b].centre);
-        centre < nodes().n_owned)
-      add_mass(centre, device_.bodies[b].mass);
+  add_point_masses(alpha * alpha, *tangent_);
   for_each_rotation(
       [&](const fe::Rotation& rotation, const RotaryInertia& inertia)
       {
@@ -275,6 +269,11 @@ void Structure::add_frame_damping_product(const double* rates, double* result)
           sum[i] += torque[i];
         set_free_quaternion(rotation, sum, result);
       });
+}
+
+void Structure::forget_linearisation()
+{
+  frames_->forget_linearisation();
 }
 
 void Structure::set_rest_path(const double stiffening,

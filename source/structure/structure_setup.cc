@@ -106,7 +106,7 @@ Structure::Structure(const Device& device, const fe::MeshData& mesh,
                        &weight_, &tangent_positions_})
     *vector = nodes().make_vector();
   make_frames();
-  make_weight();
+  add_weight(device_.environment.gravity, weight_);
   least_force_ = compute_least_force();
   round_off_force_ = compute_round_off_force();
   // Growing would copy the vectors, which leaves their shares at ghosts out.
@@ -183,19 +183,19 @@ Structure::make_pressure(const std::vector<std::string>& groups) const
   return load;
 }
 
-void Structure::make_weight()
+void Structure::add_weight(const std::array<double, 3>& gravity,
+                           fe::NodalVector& weight) const
 {
-  auto gravity = nodes().make_vector();
+  auto nodal = nodes().make_vector();
   for (fe::LocalNode node = 0; node < nodes().n_local; ++node)
     for (unsigned int c = 0; c < 3; ++c)
-      fe::entry(gravity, 3 * node + c) = device_.environment.gravity[c];
-  fe::add_mass_product(*cells_, get_densities(), gravity, weight_);
+      fe::entry(nodal, 3 * node + c) = gravity[c];
+  fe::add_mass_product(*cells_, get_densities(), nodal, weight);
   for (const auto& bar : nodes().bars)
     if (bar.centre < nodes().n_owned)
       for (unsigned int c = 0; c < 3; ++c)
-        fe::entry(weight_, 3 * bar.centre + c) +=
-            bar.mass * device_.environment.gravity[c];
-  add_frame_weight();
+        fe::entry(weight, 3 * bar.centre + c) += bar.mass * gravity[c];
+  add_frame_weight(nodal, weight);
 }
 
 double Structure::compute_least_force() const

@@ -136,13 +136,13 @@ void Structure::solve_with(fe::LinearSolver& solver, const double* r,
     d[i] = all[free_[i]];
 }
 
-void Structure::multiply_with(const fe::TangentMatrix& matrix, const double* x,
+void Structure::multiply_with(_p_Mat* matrix, const double* x,
                               double* result) const
 {
   std::vector<double> all(3 * nodes().n_owned, 0.), product(all.size());
   for (std::size_t i = 0; i < free_.size(); ++i)
     all[free_[i]] = x[i];
-  fe::multiply(matrix.get(), all.data(), product.data());
+  fe::multiply(matrix, all.data(), product.data());
   for (std::size_t i = 0; i < free_.size(); ++i)
     result[i] = product[free_[i]];
 }
@@ -156,7 +156,7 @@ void Structure::multiply_tangent(const LoadState& loads, const double* u,
   set_tangent_state(loads, u, internal, networks);
   assemble({&tangent_positions_, tangent_internal_.data(), alpha, inertia,
             device_.environment.air_drag, symmetric});
-  multiply_with(*tangent_, x, result);
+  multiply_with(tangent_->get(), x, result);
   make_border(loads, networks, alpha);
   border_.add_product(x, result);
 }
@@ -184,6 +184,20 @@ void Structure::compute_internal_change(const double alpha, const double* du,
                               tangent_internal_.data(), alpha, dx, r, change);
 }
 
+void Structure::add_bar_masses(fe::TangentMatrix& matrix) const
+{
+  for (const auto& bar : nodes().bars)
+    if (bar.director < nodes().n_owned)
+    {
+      const double m = bar.mass;
+      const double j = bar.rotary_inertia / (bar.half_length * bar.half_length);
+      matrix.add_block(bar.centre, bar.centre,
+                       std::array<double, 9>{m, 0, 0, 0, m, 0, 0, 0, m}.data());
+      matrix.add_block(bar.director, bar.director,
+                       std::array<double, 9>{j, 0, 0, 0, j, 0, 0, 0, j}.data());
+    }
+}
+
 void Structure::make_mass()
 {
   if (mass_)
@@ -193,16 +207,7 @@ void Structure::make_mass()
                                               get_frame_elements(), coupling);
   mass_->begin();
   fe::add_mass(*cells_, get_densities(), *mass_);
-  for (const auto& bar : nodes().bars)
-    if (bar.director < nodes().n_owned)
-    {
-      const double m = bar.mass;
-      const double j = bar.rotary_inertia / (bar.half_length * bar.half_length);
-      mass_->add_block(bar.centre, bar.centre,
-                       std::array<double, 9>{m, 0, 0, 0, m, 0, 0, 0, m}.data());
-      mass_->add_block(bar.director, bar.director,
-                       std::array<double, 9>{j, 0, 0, 0, j, 0, 0, 0, j}.data());
-    }
+  add_bar_masses(*mass_);
   add_frame_masses(false, *mass_);
   mass_->end();
   mass_solver_ = std::make_unique<fe::LinearSolver>(
@@ -224,13 +229,13 @@ void Structure::make_mass()
 void Structure::multiply_mass(const double* x, double* result)
 {
   make_mass();
-  multiply_with(*mass_, x, result);
+  multiply_with(mass_->get(), x, result);
 }
 
 void Structure::multiply_drag(const double* x, double* result)
 {
   make_mass();
-  multiply_with(*drag_, x, result);
+  multiply_with(drag_->get(), x, result);
 }
 
 void Structure::solve_mass(const double* b, double* x)

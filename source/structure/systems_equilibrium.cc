@@ -72,6 +72,11 @@ bool Equilibrium::takes_full_steps() const
   return !structure_.frames().empty();
 }
 
+void Equilibrium::forget_iteration()
+{
+  structure_.forget_linearisation();
+}
+
 std::optional<int> Equilibrium::count_negative_eigenvalues()
 {
   return structure_.count_negative_eigenvalues();

@@ -7,8 +7,9 @@
 namespace taut::study
 {
 FilmRows::FilmRows(structure::StructureSystem& system,
-                   structure::Probes& probes, structure::Watches& watches)
-    : system_(system), probes_(probes), watches_(watches)
+                   structure::Probes& probes, structure::Watches& watches,
+                   const bool in_time)
+    : system_(system), probes_(probes), watches_(watches), in_time_(in_time)
 {
 }
 
@@ -71,8 +72,9 @@ std::vector<double> FilmRows::make_row(const double time, const double* state)
   balance_scale_ = std::max({balance_scale_, std::abs(change), dissipated,
                              std::abs(lost), std::abs(work), energies.kinetic});
   row.insert(row.end(), {energies.kinetic, energies.stored, energies.frames,
-                         energies.electric, energies.dead_loads, dissipated,
-                         lost, work, balance});
+                         energies.electric, energies.dead_loads});
+  for (const double value : {dissipated, lost, work, balance})
+    row.push_back(in_time_ ? value : std::nan(""));
   for (const std::size_t event : watches_.with_margin_curve())
     row.push_back(show_margin(event, time, state));
   return row;

@@ -27,13 +27,18 @@ make_system(const Case& run_case, structure::Structure& structure)
   return std::make_unique<structure::QuasiStaticSystem>(structure, path);
 }
 
+bool is_path(const Case& run_case)
+{
+  const Analysis analysis = run_case.procedure.analysis;
+  return analysis == Analysis::equilibrium ||
+         analysis == Analysis::continuation;
+}
+
 /// Static paths of relaxed films stay relaxed.
 structure::Networks get_networks(const Case& run_case)
 {
-  const ProcedureDescription& procedure = run_case.procedure;
-  const bool is_path = procedure.analysis == Analysis::equilibrium ||
-                       procedure.analysis == Analysis::continuation;
-  return is_path && procedure.start == structure::Start::relaxed
+  return is_path(run_case) &&
+                 run_case.procedure.start == structure::Start::relaxed
              ? structure::Networks::relaxed
              : structure::Networks::as_given;
 }
@@ -41,11 +46,11 @@ structure::Networks get_networks(const Case& run_case)
 } // namespace
 
 FilmRun::FilmRun(const Case& run_case, structure::Structure& structure,
-                 RunOutput& output)
-    : case_(run_case), output_(output),
+                 RunOutput& output, const std::optional<StateVisit>& visit)
+    : case_(run_case), output_(output), visit_(visit),
       system_(make_system(run_case, structure)), probes_(*system_),
       watches_(*system_, probes_, get_networks(run_case)),
-      rows_(*system_, probes_, watches_),
+      rows_(*system_, probes_, watches_, !is_path(run_case)),
       history_times_(make_history_times(run_case)),
       field_times_(make_output_times(run_case.procedure,
                                      run_case.output.field_intervals,
@@ -247,6 +252,24 @@ void FilmRun::finish(const Clock::time_point began)
       std::chrono::duration<double>(Clock::now() - began).count();
 }
 
+void FilmRun::advance()
+{
+  if (visit_ && visit_->at_start)
+    write(progress_.time, state_.data(), true);
+  else if (case_.procedure.analysis == Analysis::equilibrium)
+    follow_path();
+  else if (case_.procedure.analysis == Analysis::continuation)
+    continue_path();
+  else
+    integrate();
+}
+
+void FilmRun::visit_state()
+{
+  if (visit_ && summary_.status == Status::completed)
+    visit_->visit(progress_.time, *system_, state_, summary_);
+}
+
 RunSummary FilmRun::run(const std::optional<Checkpoint>& resume)
 {
   const auto began = Clock::now();
@@ -254,12 +277,8 @@ RunSummary FilmRun::run(const std::optional<Checkpoint>& resume)
   try
   {
     start(resume);
-    if (case_.procedure.analysis == Analysis::equilibrium)
-      follow_path();
-    else if (case_.procedure.analysis == Analysis::continuation)
-      continue_path();
-    else
-      integrate();
+    advance();
+    visit_state();
   }
   catch (const SolverFailed& failure)
   {
@@ -274,11 +293,12 @@ RunSummary FilmRun::run(const std::optional<Checkpoint>& resume)
 }
 
 RunSummary run_film(const Case& run_case, structure::Structure& structure,
-                    RunOutput& output, const std::optional<Checkpoint>& resume)
+                    RunOutput& output, const std::optional<Checkpoint>& resume,
+                    const std::optional<StateVisit>& visit)
 {
   return record_motion(
       run_case, output,
       [&](RunOutput& recorded)
-      { return FilmRun(run_case, structure, recorded).run(resume); });
+      { return FilmRun(run_case, structure, recorded, visit).run(resume); });
 }
 } // namespace taut::study

@@ -65,20 +65,28 @@ RunSummary run_demes(const Case& run_case, RunOutput& output)
 {
   if (run_case.procedure.analysis == structure::Analysis::frequency_response)
     return run_response(run_case, output);
+  return visit_demes(run_case, output, [](const auto&, RunSummary&) {});
+}
+
+RunSummary visit_demes(
+    const Case& run_case, RunOutput& output,
+    const std::function<void(const lumped::DemesRun&, RunSummary&)>& visit)
+{
   std::vector<Column> columns;
   for (const auto& column : get_lumped_demes_columns())
     columns.push_back(column.column);
+  const auto compute = [&](const std::vector<double>& times)
+  { return run_lumped(run_case.lumped_demes, run_case.procedure, times); };
   return record_motion(run_case, output,
                        [&](RunOutput& recorded)
                        {
                          return run_lumped_model(
-                             run_case, columns, recorded,
-                             [&](const std::vector<double>& times) {
-                               return run_lumped(run_case.lumped_demes,
-                                                 run_case.procedure, times);
-                             },
+                             run_case, columns, recorded, compute,
                              [&](const auto& run, RunSummary& summary)
-                             { report(run_case, run, recorded, summary); });
+                             {
+                               report(run_case, run, recorded, summary);
+                               visit(run, summary);
+                             });
                        });
 }
 } // namespace taut::study

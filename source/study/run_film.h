@@ -16,12 +16,14 @@ class FilmRun
 {
 public:
   FilmRun(const Case& run_case, structure::Structure& structure,
-          RunOutput& output);
+          RunOutput& output, const std::optional<StateVisit>& visit);
 
   RunSummary run(const std::optional<Checkpoint>& resume);
 
 private:
   void start(const std::optional<Checkpoint>& resume);
+  void advance();
+  void visit_state();
   void follow_path();
   void continue_path();
   void integrate();
@@ -42,6 +44,7 @@ private:
 
   const Case& case_;
   RunOutput& output_;
+  const std::optional<StateVisit> visit_;
   std::unique_ptr<structure::StructureSystem> system_;
   structure::Probes probes_;
   structure::Watches watches_;

@@ -49,8 +49,10 @@ RestStart start_from_rest_shape(const Case& run_case,
   start.counters = {
       {"rest_shape_factorisations", shape.statistics.factorisations},
       {"rest_shape_iterations", shape.statistics.iterations},
-      {"rest_shape_negative_eigenvalues", shape.negative_eigenvalues},
-      {"flat_negative_eigenvalues", shape.flat_negative_eigenvalues}};
+      {"rest_shape_negative_eigenvalues", shape.negative_eigenvalues}};
+  if (shape.flat_negative_eigenvalues)
+    start.counters["flat_negative_eigenvalues"] =
+        *shape.flat_negative_eigenvalues;
   if (shape.flat_negative_eigenvalues == 0)
     start.notes.push_back(
         "the flat state is stable: the pull of the film stays below the "

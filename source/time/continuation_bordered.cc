@@ -153,6 +153,11 @@ bool BorderedProblem::takes_full_steps() const
   return problem_.takes_full_steps();
 }
 
+void BorderedProblem::forget_iteration()
+{
+  problem_.forget_iteration();
+}
+
 void BorderedProblem::check_equilibrium(double /*load*/, const double* x)
 {
   problem_.check_equilibrium(get_parameter(x), x);

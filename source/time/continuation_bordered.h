@@ -70,6 +70,7 @@ public:
   double reference_force() const override;
   double round_off_force() const override;
   bool takes_full_steps() const override;
+  void forget_iteration() override;
   void check_equilibrium(double load, const double* x) override;
 
 private:

@@ -347,6 +347,7 @@ EquilibriumStatistics find_equilibrium(EquilibriumProblem& problem,
     if (!guarded.is_converged())
     {
       trial = guarded.best();
+      problem.forget_iteration();
       flag = iterate(guarded, options, false, trial);
     }
   }
@@ -360,7 +361,10 @@ EquilibriumStatistics find_equilibrium(EquilibriumProblem& problem,
   const int code = guarded.compute_residual(trial.data(), residual.data());
   guarded.guard().rethrow();
   if (code != 0 || !guarded.is_converged())
+  {
+    problem.forget_iteration();
     reject(guarded, flag);
+  }
   problem.check_equilibrium(load, trial.data());
   std::copy(trial.begin(), trial.end(), u);
   guarded.statistics.final_residual = guarded.residual_norm();

@@ -1,30 +1,11 @@
-#include <taut/base/exceptions.h>
 #include <taut/time/null_vector.h>
 
 #include <slepceps.h>
 
 #include <algorithm>
-#include <string>
 
+#include "slepc_check.h"
 #include "system_callback.h"
-
-namespace taut::time
-{
-namespace
-{
-void check_slepc(const PetscErrorCode code, const char* call)
-{
-  if (code == 0)
-    return;
-  const char* text = nullptr;
-  PetscErrorMessage(code, &text, nullptr);
-  throw SolverFailed(std::string("SLEPc: ") + call + ": " +
-                     (text ? text : "unknown error"));
-}
-} // namespace
-} // namespace taut::time
-
-#define TAUT_SLEPC(call) ::taut::time::check_slepc((call), #call)
 
 namespace taut::time
 {

@@ -37,9 +37,9 @@ class DemesCases(unittest.TestCase):
                               text=True, timeout=120, check=False)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
-    def run_case(self, name):
+    def run_case(self, name, *words):
         """All rows of the history, by the names of the probes."""
-        self.call("run", CASES / name, "-o", self.folder)
+        self.call("run", CASES / name, "-o", self.folder, "--overwrite", *words)
         file = self.folder / "history.csv"
         with open(file, newline="", encoding="utf-8") as stream:
             return [{key.split(" [")[0]: float(value)
@@ -75,6 +75,21 @@ class DemesCases(unittest.TestCase):
             self.assertAlmostEqual(value / elastica, 1, delta=1e-7)
             # As (C/h)^4, which at h = C is 2.1e-5 and 1.9e-5.
             self.assertLess(abs(value / arc - 1), 2.2e-5)
+
+    def test_films_on_the_face_of_a_soft_frame_find_one_rest_shape(self):
+        # No equilibrium is near the flat state here.
+        heights = []
+        for perturbation in (.2, 2):
+            rows = self.run_case(
+                "../../docs/tutorial/finger.prm",
+                "--set", "Frame frame/Thickness = 2.5e-4",
+                "--set", f"Procedure/Rest shape/Perturbation = {perturbation}",
+                "--set", "Procedure/End time = 1",
+                "--set", "Procedure/Load steps = 1")
+            heights.append(rows[0]["tip height"])
+        self.assertGreater(heights[0], .01)
+        # The equilibria are known to 1e-10 of their forces.
+        self.assertAlmostEqual(heights[0], heights[1], delta=1e-8)
 
 
 if __name__ == "__main__":

@@ -53,6 +53,43 @@ class Table(StudyTest):
             row["folder"] = other["folder"]
         self.assert_same_tables(without, self.read_table("one"))
 
+    def test_modes_of_each_case(self):
+        """Instantaneous frequencies of the resting DEMES at pre-stretches 2 and
+        3: 1.1409 and 3.0300 times 5 Hz for K = 1, beta = 2.5. Legs whose
+        width grows with their length keep K = 1."""
+        self.write("modes.prm", """set Case = lumped.prm
+set Command = modes
+subsection Vary pre_stretch
+  set Values = 2, 3
+  set Key = Lumped DEMES/Pre-stretch
+end
+subsection Set width that keeps the stiffness
+  set Key = Lumped DEMES/Frame width
+  set Value = {0.010032*pre_stretch/2}
+end
+subsection Set no voltage
+  set Key = Lumped DEMES/Source
+  set Value = 0
+end
+subsection Result frequency
+  set Of = modes/frequencies/0
+end
+""")
+        self.run_study(0, study="modes.prm")
+        found = [float(row["frequency"]) for row in self.read_table()]
+        # The table of these frequencies has four digits.
+        self.assertAlmostEqual(found[0], 5.704, delta=5e-3)
+        self.assertAlmostEqual(found[1], 15.150, delta=5e-3)
+        modes = (self.folder / "out/cases/pre_stretch=2/modes.csv").read_text(
+            encoding="utf-8").splitlines()
+        column = modes[0].split(",").index("frequency [Hz]")
+        self.assertEqual(float(modes[1].split(",")[column]), found[0])
+        # Without folders the same.
+        self.run_study(0, "--set", "Keep folders = false", study="modes.prm",
+                       folder="table")
+        self.assertEqual([float(row["frequency"])
+                          for row in self.read_table("table")], found)
+
     def test_films_run_like_lumped_cases(self):
         self.write("films.prm", FILM_STUDY.replace("VALUES", "0.01, 0.02"))
         self.run_study(0, study="films.prm")

@@ -169,6 +169,70 @@ class Packages(DoorTest):
         self.assertIn("podman", self.expect(2, self.world.call("run")).stderr)
 
 
+class Pictures(DoorTest):
+    """ParaView and a browser are large: installed when used, not before."""
+
+    LARGE = ("paraview", "chromium-headless-shell")
+
+    def get_installed(self):
+        file = self.world.folder / "installed"
+        return file.read_text(encoding="utf-8").splitlines()
+
+    def add_paraview(self):
+        for tool in ("pvbatch", "Xvfb"):
+            self.world.add_tool(tool, "")
+
+    def test_other_commands_do_without(self):
+        for command in ("run", "compare", "modes", "study", "report", "check"):
+            self.expect(0, self.world.call(command, "x"))
+        self.expect(0, self.world.call("test", "--quick"))
+        self.expect(0, self.world.call("render", "--help"))
+        for package in self.LARGE:
+            self.assertNotIn(package, self.get_installed())
+
+    def test_render_installs_paraview_and_no_browser(self):
+        result = self.expect(0, self.world.call("render", "a run"))
+        self.assertIn("word a run", result.stdout)
+        for package in ("paraview", "python3-paraview", "xvfb"):
+            self.assertIn(package, self.get_installed())
+        self.assertNotIn("chromium-headless-shell", self.get_installed())
+
+    def test_what_is_there_is_used(self):
+        self.build()
+        self.add_paraview()
+        self.expect(0, self.world.call("render", "run"))
+        self.assertEqual(self.world.take_calls("apt-get", "dpkg-query"), [])
+
+    def test_paraview_that_was_removed_is_installed_again(self):
+        self.world.call("render", "run")
+        self.world.note("installed", "\n".join(
+            set(self.get_installed()) - {"paraview"}) + "\n")
+        self.world.call("render", "run")
+        self.assertIn("paraview", self.get_installed())
+
+    def test_without_root_the_line_to_type_is_printed(self):
+        self.build()
+        self.world.note("uid", "1000")
+        self.world.note("sudo_refuses", "")
+        result = self.expect(2, self.world.call("render", "run"))
+        self.assertRegex(result.stderr, r"sudo sh -c 'apt-get .*paraview.*'")
+
+    def test_nothing_is_installed_under_mpi(self):
+        self.build()
+        self.expect(0, self.world.call("render", "run", **MPI))
+        self.assertEqual(self.world.take_calls(*CHANGING_TOOLS), [])
+
+    def test_the_full_tests_install_both(self):
+        self.expect(0, self.world.call("test"))
+        for package in self.LARGE:
+            self.assertIn(package, self.get_installed())
+
+    def test_any_chromium_serves(self):
+        self.world.add_tool("chromium", "")
+        self.expect(0, self.world.call("test"))
+        self.assertNotIn("chromium-headless-shell", self.get_installed())
+
+
 class Processes(DoorTest):
     def test_nothing_is_installed_or_built_under_mpi(self):
         for variables in (MPI, {"PMI_SIZE": "2"}, {"PMIX_RANK": "0"}):
@@ -217,7 +281,9 @@ class Commands(DoorTest):
 
     def test_unknown_words_are_refused_with_the_nearest(self):
         for word, nearest in [("rum", "run"), ("compre", "compare"),
-                              ("tests", "test"), ("descibe", "describe")]:
+                              ("tests", "test"), ("descibe", "describe"),
+                              ("repot", "report"), ("rendr", "render"),
+                              ("mode", "modes"), ("sudy", "study")]:
             with self.subTest(word):
                 result = self.expect(2, self.world.call(word))
                 self.assertIn(f"did you mean '{nearest}'?", result.stderr)

@@ -39,6 +39,28 @@ TEST(Geometries, resonator_is_the_stretched_film)
   EXPECT_EQ(read("resonator.geo", {{"order", 2}}).order, 2u);
 }
 
+TEST(Geometries, resonator_leaves_a_margin_round_its_electrode)
+{
+  // The bar ends inside of the electrode, at its edge, outside of it, at the
+  // frame.
+  for (const double gap : {12e-3, 5e-3, 2e-3, 0.})
+  {
+    const auto mesh =
+        read("resonator.geo", {{"margin", 5e-3}, {"bar_gap", gap}});
+    const double active = (40e-3 - 5e-3) * (80e-3 - 2 * 5e-3);
+    EXPECT_NEAR(compute_area(mesh, "active"), active, tiny) << gap;
+    EXPECT_NEAR(compute_area(mesh, "margin_active"), 40e-3 * 80e-3 - active,
+                tiny);
+    EXPECT_NEAR(compute_area(mesh, "passive"), 40e-3 * 80e-3, tiny);
+    EXPECT_NEAR(integrate_normal(mesh, "active")[3], active, tiny);
+    EXPECT_NEAR(sum_chords(mesh, "bar"), 80e-3 - 2 * gap, tiny) << gap;
+    EXPECT_NEAR(sum_chords(mesh, "frame_active_end"), 80e-3, tiny);
+    EXPECT_NEAR(sum_chords(mesh, "frame_passive_end"), 80e-3, tiny);
+    EXPECT_NEAR(sum_chords(mesh, "frame_sides_active"), 80e-3, tiny);
+    EXPECT_NEAR(sum_chords(mesh, "frame_sides_passive"), 80e-3, tiny);
+  }
+}
+
 TEST(Geometries, sheet_has_four_edges_and_corners)
 {
   const auto mesh = read("sheet.geo", {{"length", 3}, {"width", 2}});

@@ -2,6 +2,7 @@
 // mesh. Modulus, radius, thickness and density are 1, so that time counts in
 // R sqrt(rho/mu) and the radius l follows
 //   l'' + 2 l - 2 l^-5 - p l^2 - 2 phi^2 l^3 = 0.
+#include <taut/structure/vibration.h>
 #include <taut/time/integrate.h>
 
 #include <gtest/gtest.h>
@@ -125,6 +126,26 @@ TEST(Balloon, small_oscillation_has_the_frequency_of_the_closed_form)
             observer);
   ASSERT_EQ(passages.size(), 2u);
   EXPECT_NEAR(2 * M_PI / (passages[1] - passages[0]), omega, 1e-4 * omega);
+}
+
+TEST(Balloon, breathing_is_a_mode)
+{
+  const auto model = make_balloon(4);
+  structure::QuasiStaticSystem system(*model->structure, {});
+  const auto state =
+      system.make_initial_state(0, structure::Start::unrelaxed, true, {});
+  structure::Vibration vibration(*model->structure,
+                                 system.loads_at(0, state.data()), state.data(),
+                                 system.internal(state.data()));
+  // The pressure on the planes of symmetry does no work.
+  EXPECT_LT(vibration.asymmetry(), 1e-10);
+  time::ModeOptions options;
+  options.count = 3;
+  options.target = omega * omega;
+  double closest = 1;
+  for (const auto& mode : time::find_modes(vibration, options).modes)
+    closest = std::min(closest, std::abs(std::sqrt(mode.square) / omega - 1));
+  EXPECT_LT(closest, 1e-4);
 }
 
 /// The radius at `times` after pressure and voltage come on at once.

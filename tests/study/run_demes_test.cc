@@ -16,7 +16,6 @@ namespace
 {
 using lumped_records::Records;
 using taut::testing::make_lumped_demes_case;
-
 } // namespace
 
 TEST(RunDemes, RowsAreInSiUnits)
@@ -113,7 +112,7 @@ TEST(RunDemes, RestStatesAreThoseOfThePaper)
                                          1.53, 1.48, 1.45};
   for (std::size_t i = 0; i < stretches.size(); ++i)
   {
-    Case run_case = make_case(2 + 0.5 * double(i));
+    Case run_case = make_lumped_demes_case(2 + 0.5 * double(i));
     run_case.lumped_demes.source = Signal();
     run_case.procedure.analysis = structure::Analysis::equilibrium;
     Records records;
@@ -125,7 +124,7 @@ TEST(RunDemes, RestStatesAreThoseOfThePaper)
 
 TEST(RunDemes, RestStatesGoWithTheSourceAndTheTemperature)
 {
-  Case run_case = make_case(2);
+  Case run_case = make_lumped_demes_case(2);
   run_case.lumped_demes.source = Signal::table({0, 1}, {0, 10000});
   run_case.procedure.analysis = structure::Analysis::equilibrium;
   Records records;

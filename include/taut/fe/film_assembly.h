@@ -94,6 +94,9 @@ struct TangentRequest
   bool inertia = false;  ///< add alpha^2 M + alpha * drag
   double air_drag = 0;   ///< (kg/(m^3 s))
   bool symmetric = true; ///< its symmetric part
+  /// The derivative at the state itself, without what Newton's method predicts
+  /// on its way (see structure::Frames::add_stiffness).
+  bool exact = false;
 };
 
 /// Adds the film's tangent, pressures included, to a begun matrix.

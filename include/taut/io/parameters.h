@@ -52,4 +52,7 @@ study::Case read_case(const std::string& file,
 /// "Integrator") and the sections inside them. Errors: BadInput with the
 /// nearest name if there is none.
 void describe(std::ostream& stream, const std::string& section = "");
+
+/// All of them as a page in Markdown: docs/parameters.md.
+void describe_as_page(std::ostream& stream);
 } // namespace taut::io

@@ -24,9 +24,11 @@ Machine measure_machine(MPI_Comm communicator);
 
 /// The text of run.json: status, reason, time_reached (s), final (value by
 /// column of history.csv), counters, timings (s), energy_balance (absolute in J
-/// and relative), peak_memory_bytes, ranks, versions, parameters_changed
-/// (default and value by path), and of a motion its class with the numbers
-/// behind it. A number that is none is null.
+/// and relative), modes (of `taut modes`: time of the state, stable, lowest
+/// squares of angular frequencies and number of negative ones with relaxed and
+/// frozen networks, and lists by mode), motion (its class with the numbers
+/// behind it), peak_memory_bytes, ranks, versions, parameters_changed (default
+/// and value by path). A number that is none is null.
 std::string make_run_json(const study::RunSummary& summary,
                           const Machine& machine,
                           const std::vector<ChangedParameter>& changed);

@@ -84,6 +84,9 @@ public:
   void add_mass_product(bool damping, const fe::NodalVector& x,
                         fe::NodalVector& result) const;
 
+  /// The next predicted stiffness is one of its own state.
+  void forget_linearisation();
+
   /// forces += nodal lengths times `load` (N/m).
   void add_line_load(const std::array<double, 3>& load,
                      fe::NodalVector& forces) const;

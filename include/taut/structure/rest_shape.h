@@ -3,6 +3,7 @@
 #include <taut/structure/systems.h>
 
 #include <array>
+#include <optional>
 
 namespace taut::structure
 {
@@ -33,8 +34,9 @@ struct RestShape
   time::EquilibriumStatistics statistics;
   /// Negative eigenvalues of the tangent: 0 if the shape is stable.
   int negative_eigenvalues = 0;
-  /// The same of the flat state, without the load.
-  int flat_negative_eigenvalues = 0;
+  /// The same of the flat state, without the load; nothing if the device has no
+  /// equilibrium near it.
+  std::optional<int> flat_negative_eigenvalues;
 };
 
 /// Moves `u`, which is zero or near the flat state, to the rest shape at the

@@ -204,6 +204,9 @@ public:
   }
   /// Sets a point on the way to a rest shape: all stiffnesses of frames times
   /// `stiffening`, and a dead load (N/m) along all frames. 1 and 0 at first.
+  /// The next tangent of the frames takes the resultants of its own state; see
+  /// Frames::add_stiffness.
+  void forget_linearisation();
   void set_rest_path(double stiffening, const std::array<double, 3>& load);
   /// The quaternions in u brought to their length in the mesh, which changes
   /// no state.
@@ -262,6 +265,8 @@ public:
   void prolong(const double* free, fe::NodalVector& nodal) const;
 
 private:
+  /// Assembles the same parts into matrices of its own.
+  friend class Vibration;
   void set_pre_stretches(const LoadState& loads);
   void make_cells();
   void make_source_scales();
@@ -274,7 +279,8 @@ private:
                                             const double* internal,
                                             Networks networks) const;
   fe::PressureLoad make_pressure(const std::vector<std::string>& groups) const;
-  void make_weight();
+  void add_weight(const std::array<double, 3>& gravity,
+                  fe::NodalVector& weight) const;
   double compute_least_force() const;
   void set_dead_forces(const LoadState& loads);
   bool has_turning_nodes() const
@@ -292,9 +298,12 @@ private:
   double compute_thermal_energy(const LoadState& loads) const;
   void make_frames();
   void add_lumped_film_inertia();
-  void add_frame_weight();
+  void add_frame_weight(const fe::NodalVector& gravity,
+                        fe::NodalVector& weight) const;
   double compute_round_off_force() const;
   void add_frame_masses(bool damping, fe::TangentMatrix& matrix) const;
+  void add_point_masses(double factor, fe::TangentMatrix& matrix) const;
+  void add_bar_masses(fe::TangentMatrix& matrix) const;
   void add_frame_tangent(const fe::TangentRequest& request);
   void add_follower_tangent(fe::TangentMatrix& matrix) const;
   double compute_rotary_energy(const double* v) const;
@@ -318,8 +327,7 @@ private:
   void set_tangent_state(const LoadState& loads, const double* u,
                          const double* internal, Networks networks);
   void solve_with(fe::LinearSolver& solver, const double* r, double* d) const;
-  void multiply_with(const fe::TangentMatrix& matrix, const double* x,
-                     double* result) const;
+  void multiply_with(_p_Mat* matrix, const double* x, double* result) const;
   void assemble(const fe::TangentRequest& request);
   void make_mass();
   double sum(double local) const;

@@ -27,6 +27,7 @@ public:
   double reference_force() const override;
   double round_off_force() const override;
   bool takes_full_steps() const override;
+  void forget_iteration() override;
   std::optional<int> count_negative_eigenvalues() override;
 
   /// Circuits keep these charges (C, by electrode) instead of being at rest.

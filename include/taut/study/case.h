@@ -216,6 +216,31 @@ struct DemesComparisonDescription
   std::string stretch_probe;
 };
 
+/// What `taut modes` looks for.
+struct ModesDescription
+{
+  unsigned int count = 10;
+  /// The modes next to this frequency (Hz); 0: the lowest.
+  double near_frequency = 0;
+  /// About which state of the run.
+  enum class At
+  {
+    end,
+    start
+  };
+  At at = At::end;
+  /// Whether the networks are too slow to follow a vibration, or too fast to
+  /// resist it.
+  enum class Networks
+  {
+    frozen,
+    relaxed
+  };
+  Networks networks = Networks::frozen;
+  /// Largest displacement of a mode in fields.pvd, of the device's extent.
+  double amplitude = 0.1;
+};
+
 /// What is found out about a motion when its run is over.
 struct MotionDescription
 {
@@ -246,5 +271,6 @@ struct Case
   ProcedureDescription procedure;
   OutputDescription output;
   CheckpointDescription checkpoint;
+  ModesDescription modes;
 };
 } // namespace taut::study

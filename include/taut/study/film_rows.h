@@ -13,8 +13,10 @@ namespace taut::study
 class FilmRows
 {
 public:
+  /// `in_time`: a motion or a slow flow, whose balance of energy holds. On static
+  /// paths nobody counts the work, and its columns are NaN.
   FilmRows(structure::StructureSystem& system, structure::Probes& probes,
-           structure::Watches& watches);
+           structure::Watches& watches, bool in_time);
 
   std::vector<Column> make_columns() const;
 
@@ -41,6 +43,7 @@ private:
   structure::StructureSystem& system_;
   structure::Probes& probes_;
   structure::Watches& watches_;
+  const bool in_time_;
   double initial_energy_ = 0;
   double balance_absolute_ = 0;
   double balance_scale_ = 0;

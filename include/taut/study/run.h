@@ -2,6 +2,7 @@
 
 #include <taut/structure/systems.h>
 #include <taut/study/case.h>
+#include <taut/study/modes_report.h>
 #include <taut/study/motion.h>
 #include <taut/time/integrate.h>
 
@@ -14,13 +15,6 @@
 
 namespace taut::study
 {
-/// A column of history.csv.
-struct Column
-{
-  std::string name;
-  std::string unit; ///< "1" if dimensionless
-};
-
 /// A row of events.csv.
 struct EventRecord
 {
@@ -80,6 +74,8 @@ struct RunSummary
   /// Largest absolute (J) and relative residual of the balance of energy.
   double balance_absolute = 0;
   double balance_relative = 0;
+  /// Of `taut modes`.
+  std::optional<ModesReport> modes;
   /// If the case asks for it and the run reached it.
   std::optional<Motion> motion;
   /// By the name of the file without its ending.
@@ -137,11 +133,24 @@ public:
   }
 };
 
+/// Something else that is done with a state of a run.
+struct StateVisit
+{
+  /// At the start, where the run then ends; else at its end, unless an event,
+  /// an interruption or a failure ends it before.
+  bool at_start = false;
+  /// May move the state. Errors: those of a run.
+  std::function<void(double time, structure::StructureSystem& system,
+                     std::vector<double>& state, RunSummary& summary)>
+      visit;
+};
+
 /// Runs the film case on a structure: equilibrium path, quasi-static or
 /// transient as the procedure says. Solver failures end in
 /// Status::failed with the reason; they do not throw.
 /// Errors: BadInput for probes and events that do not fit the device.
 RunSummary run_film(const Case& run_case, structure::Structure& structure,
                     RunOutput& output,
-                    const std::optional<Checkpoint>& resume = std::nullopt);
+                    const std::optional<Checkpoint>& resume = std::nullopt,
+                    const std::optional<StateVisit>& visit = std::nullopt);
 } // namespace taut::study

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <taut/lumped/demes_run.h>
 #include <taut/study/run.h>
+
+#include <functional>
 
 namespace taut::study
 {
@@ -12,4 +15,10 @@ namespace taut::study
 /// Errors: BadInput for impossible parameters and for another analysis than
 /// `transient`.
 RunSummary run_demes(const Case& run_case, RunOutput& output);
+
+/// The same; `visit` sees the run after it was written, and may add to what is
+/// told about it.
+RunSummary visit_demes(
+    const Case& run_case, RunOutput& output,
+    const std::function<void(const lumped::DemesRun&, RunSummary&)>& visit);
 } // namespace taut::study

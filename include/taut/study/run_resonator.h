@@ -1,6 +1,9 @@
 #pragma once
 
+#include <taut/lumped/resonator_run.h>
 #include <taut/study/run.h>
+
+#include <functional>
 
 namespace taut::study
 {
@@ -13,4 +16,10 @@ namespace taut::study
 /// Errors: BadInput for impossible parameters and for the analysis
 /// `equilibrium`.
 RunSummary run_resonator(const Case& run_case, RunOutput& output);
+
+/// The same; `visit` sees the run after it was written, and may add to what is
+/// told about it.
+RunSummary visit_resonator(
+    const Case& run_case, RunOutput& output,
+    const std::function<void(const lumped::ResonatorRun&, RunSummary&)>& visit);
 } // namespace taut::study

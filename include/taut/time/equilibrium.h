@@ -51,6 +51,10 @@ public:
   {
     return false;
   }
+  /// Called when the next prepare does not follow a step from the last one: an
+  /// iteration failed, another begins from elsewhere. What was kept from the
+  /// last linearisation is then worth nothing.
+  virtual void forget_iteration() {}
 };
 
 struct EquilibriumOptions

@@ -1,0 +1,1 @@
+"""The parts of `taut report`: reading a folder, charts, sections, the page."""
