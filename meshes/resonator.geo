@@ -147,5 +147,12 @@ Physical Curve("frame_sides") = {sides_active[], sides_passive[]};
 Physical Curve("frame_sides_active") = sides_active[];
 Physical Curve("frame_sides_passive") = sides_passive[];
 Physical Curve("bar") = bar[];
+// What a frame clamps: the sides as well, unless the bar reaches them and they have
+// to follow it.
+fixed[] = {active_end[], passive_end[]};
+If (bar_gap > 0)
+  fixed[] += {sides_active[], sides_passive[]};
+EndIf
+Physical Curve("frame_fixed") = fixed[];
 
 Mesh.ElementOrder = order;
