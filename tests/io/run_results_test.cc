@@ -155,3 +155,14 @@ TEST(RecordingOutput, KeepsRowsAndEvents)
   EXPECT_EQ(run.events.at(0).time, 0.25);
   EXPECT_FALSE(output.wants_checkpoint());
 }
+
+TEST(RunResults, ARunThatAnEventHasStoppedMayLackWhatItShouldFindOut)
+{
+  RecordedRun run = make_run();
+  run.read_summary = [] { return R"({"status": "event"})"; };
+  study::ResultRequest request;
+  request.of = "modes/frequencies/0";
+  EXPECT_EQ(compute_result(run, request, {}).text, "");
+  run.read_summary = [] { return R"({"status": "completed"})"; };
+  EXPECT_THROW(compute_result(run, request, {}), BadInput);
+}
