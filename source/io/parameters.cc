@@ -44,6 +44,10 @@ CaseFile make_case_file(const CaseText& original,
                         const std::vector<std::string>& overrides,
                         const bool with_effective_parameters)
 {
+  if (original.find({}, "Case"))
+    original.refuse({}, "Case",
+                    "this is a study of a case: `taut study` runs "
+                    "it");
   CaseText text = original;
   for (const std::string& option : overrides)
     text.override_entry(option);

@@ -262,6 +262,10 @@ StudyFile read_study_file(const std::string& file,
 {
   StudyFile result;
   result.text = CaseText::read(file);
+  if (result.text.find({}, "Model"))
+    result.text.refuse({}, "Model",
+                       "this is a case, not a study of one: `taut "
+                       "run` runs it");
   for (const std::string& option : overrides)
     result.text.override_entry(option);
   Declarations all;

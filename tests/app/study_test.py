@@ -211,6 +211,12 @@ class Refused(StudyTest):
                      "did you mean 'Pre-stretch'?"])
         self.assertFalse((self.folder / "out").exists())
 
+    def test_a_case_in_place_of_a_study_and_the_other_way_round(self):
+        self.expect_refused(["lumped.prm:1", "taut run"], "study", "lumped.prm",
+                            "-o", "out")
+        self.expect_refused(["study.prm:1", "taut study"], "run", "study.prm",
+                            "-o", "out")
+
     def test_an_empty_range(self):
         self.write("study.prm",
                    STUDY.replace("Values = 2, 2.5, 3", "Range = 2, 2, 3"))
