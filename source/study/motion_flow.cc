@@ -49,13 +49,21 @@ public:
     return value_.column.unit;
   }
 
-  template <typename Row>
-  void add(const Row& row, MotionTrack& track) const
+  /// The rows of a run; make(row) gives them in SI units.
+  template <typename Run, typename MakeRow>
+  void add(const Run& run, const MakeRow& make, MotionTrack& track) const
   {
-    track.add(
-        {row.time, row.*value_.value, velocity_ ? row.*velocity_->value : 0});
+    const std::size_t first = track.size();
+    for (const auto& lumped_row : run.rows)
+    {
+      const auto row = make(lumped_row);
+      track.add(
+          {row.time, row.*value_.value, velocity_ ? row.*velocity_->value : 0});
+    }
+    complete(first, track);
   }
 
+private:
   /// Rows from `first` on that came without their velocities.
   void complete(const std::size_t first, MotionTrack& track) const
   {
@@ -68,7 +76,6 @@ public:
     std::copy(rates.begin(), rates.end(), track.velocities.begin() + begin);
   }
 
-private:
   const ModelColumn& value_;
   const ModelColumn* velocity_;
 };
@@ -115,20 +122,16 @@ public:
     options.tolerance = tolerance_;
     const auto run = lumped::run_demes(demes_, options);
     if (track)
-      add_rows(run, *track);
+      watched_.add(
+          run,
+          [this](const auto& row)
+          { return make_lumped_row(device_, scales_, row); },
+          *track);
     const auto& last = run.rows.back();
     return {last.angle, last.velocity, last.inner_stretch};
   }
 
 private:
-  void add_rows(const lumped::DemesRun& run, MotionTrack& track) const
-  {
-    const std::size_t first = track.size();
-    for (const auto& row : run.rows)
-      watched_.add(make_lumped_row(device_, scales_, row), track);
-    watched_.complete(first, track);
-  }
-
   const LumpedDemesDescription device_;
   const Watched<LumpedDemesColumn> watched_;
   const lumped::Demes demes_;
@@ -189,7 +192,11 @@ public:
     if (run.failure)
       refuse(*run.failure);
     if (track)
-      add_rows(run, *track);
+      watched_.add(
+          run,
+          [this](const auto& row)
+          { return make_lumped_row(device_, scales_, row); },
+          *track);
     return get_state(run.rows.back());
   }
 
@@ -230,14 +237,6 @@ private:
                               row.velocity / scales_.angular_frequency};
     state.insert(state.end(), row.internal.begin(), row.internal.end());
     return state;
-  }
-
-  void add_rows(const lumped::ResonatorRun& run, MotionTrack& track) const
-  {
-    const std::size_t first = track.size();
-    for (const auto& row : run.rows)
-      watched_.add(make_lumped_row(device_, scales_, row), track);
-    watched_.complete(first, track);
   }
 
   const LumpedResonatorDescription device_;

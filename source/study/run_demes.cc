@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion_recorder.h"
 #include "run_lumped.h"
 
 namespace taut::study
@@ -72,21 +71,12 @@ RunSummary visit_demes(
     const Case& run_case, RunOutput& output,
     const std::function<void(const lumped::DemesRun&, RunSummary&)>& visit)
 {
-  std::vector<Column> columns;
-  for (const auto& column : get_lumped_demes_columns())
-    columns.push_back(column.column);
-  const auto compute = [&](const std::vector<double>& times)
-  { return run_lumped(run_case.lumped_demes, run_case.procedure, times); };
-  return record_motion(run_case, output,
-                       [&](RunOutput& recorded)
-                       {
-                         return run_lumped_model(
-                             run_case, columns, recorded, compute,
-                             [&](const auto& run, RunSummary& summary)
-                             {
-                               report(run_case, run, recorded, summary);
-                               visit(run, summary);
-                             });
-                       });
+  return visit_lumped_model(
+      run_case, get_lumped_demes_columns(), output,
+      [&](const std::vector<double>& times)
+      { return run_lumped(run_case.lumped_demes, run_case.procedure, times); },
+      [&](const auto& run, RunOutput& recorded, RunSummary& summary)
+      { report(run_case, run, recorded, summary); },
+      visit);
 }
 } // namespace taut::study

@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "motion_recorder.h"
+
 namespace taut::study
 {
 /// Runs a lumped model at the output times of a case: `compute`(times) gives
@@ -41,5 +43,30 @@ RunSummary run_lumped_model(const Case& run_case,
   summary.timings["total"] =
       std::chrono::duration<double>(Clock::now() - start).count();
   return summary;
+}
+
+/// The same with its motion recorded: `report`(run, output, summary) writes it,
+/// `visit`(run, summary) comes last. `lumped_columns`: those of the model.
+template <typename LumpedColumns, typename Compute, typename Report,
+          typename Visit>
+RunSummary visit_lumped_model(const Case& run_case,
+                              const LumpedColumns& lumped_columns,
+                              RunOutput& output, const Compute& compute,
+                              const Report& report, const Visit& visit)
+{
+  std::vector<Column> columns;
+  for (const auto& entry : lumped_columns)
+    columns.push_back(entry.column);
+  return record_motion(run_case, output,
+                       [&](RunOutput& recorded)
+                       {
+                         return run_lumped_model(
+                             run_case, columns, recorded, compute,
+                             [&](const auto& run, RunSummary& summary)
+                             {
+                               report(run, recorded, summary);
+                               visit(run, summary);
+                             });
+                       });
 }
 } // namespace taut::study
