@@ -25,8 +25,8 @@ void remove_run(const OutputFolder& folder)
   for (const char* name :
        {"parameters.prm", "history.csv", "events.csv", "fields.pvd", "fields",
         "run.json", "section.csv", "spectrum.csv", "response.csv", "modes.csv",
-         "log.txt", "checkpoint", "compare.json", "compare.csv", "compare.png",
-         "compare.svg", "pictures", "open_in_paraview.py", "report.html"})
+        "log.txt", "checkpoint", "compare.json", "compare.csv", "compare.png",
+        "compare.svg", "pictures", "open_in_paraview.py", "report.html"})
     fs::remove_all(folder.get(name));
 }
 

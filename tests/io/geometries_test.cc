@@ -38,9 +38,9 @@ TEST(Geometries, resonator_is_the_stretched_film)
   EXPECT_NEAR(sum_chords(mesh, "frame_sides_passive"), 2 * passive, tiny);
   // The bar ends on the sides, which have to follow it, or before them.
   EXPECT_NEAR(sum_chords(mesh, "frame_fixed"), 2 * side, tiny);
-  EXPECT_NEAR(sum_chords(read("resonator.geo", {{"bar_gap", 12e-3}}),
-                         "frame_fixed"),
-              2 * side + 4 * active, tiny);
+  EXPECT_NEAR(
+      sum_chords(read("resonator.geo", {{"bar_gap", 12e-3}}), "frame_fixed"),
+      2 * side + 4 * active, tiny);
   EXPECT_EQ(read("resonator.geo", {{"order", 2}}).order, 2u);
 }
 

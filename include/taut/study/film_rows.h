@@ -13,8 +13,8 @@ namespace taut::study
 class FilmRows
 {
 public:
-  /// `in_time`: a motion or a slow flow, whose balance of energy holds. On static
-  /// paths nobody counts the work, and its columns are NaN.
+  /// `in_time`: a motion or a slow flow, whose balance of energy holds. On
+  /// static paths nobody counts the work, and its columns are NaN.
   FilmRows(structure::StructureSystem& system, structure::Probes& probes,
            structure::Watches& watches, bool in_time);
 
