@@ -134,56 +134,24 @@ ResultValue compute_summary_result(const RecordedRun& run,
 void RecordingOutput::begin(const std::vector<study::Column>& columns)
 {
   run_.columns = columns;
-  if (next_)
-    next_->begin(columns);
+  PassingOutput::begin(columns);
 }
 
 void RecordingOutput::write_row(const std::vector<double>& row)
 {
   run_.rows.push_back(row);
-  if (next_)
-    next_->write_row(row);
+  PassingOutput::write_row(row);
 }
 
 void RecordingOutput::write_event(const study::EventRecord& event)
 {
   run_.events.push_back({event.name, event.kind, event.time, event.value});
-  if (next_)
-    next_->write_event(event);
-}
-
-void RecordingOutput::write_fields(const double time,
-                                   structure::StructureSystem& system,
-                                   const double* state)
-{
-  if (next_)
-    next_->write_fields(time, system, state);
-}
-
-void RecordingOutput::write_checkpoint(const study::RunProgress& progress,
-                                       structure::StructureSystem& system,
-                                       const double* state)
-{
-  if (next_)
-    next_->write_checkpoint(progress, system, state);
-}
-
-void RecordingOutput::report_step(const time::Step& step,
-                                  const time::IntegratorStatistics& statistics,
-                                  const double balance_relative)
-{
-  if (next_)
-    next_->report_step(step, statistics, balance_relative);
-}
-
-bool RecordingOutput::wants_checkpoint()
-{
-  return next_ && next_->wants_checkpoint();
+  PassingOutput::write_event(event);
 }
 
 bool RecordingOutput::interrupted()
 {
-  return next_ ? next_->interrupted() : was_interrupted();
+  return has_next() ? PassingOutput::interrupted() : was_interrupted();
 }
 
 std::vector<std::string> get_event_names(const study::Case& run_case)

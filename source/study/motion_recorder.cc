@@ -36,7 +36,7 @@ std::string describe_end(const Motion& motion)
 } // namespace
 
 MotionRecorder::MotionRecorder(const Case& run_case, RunOutput& output)
-    : case_(run_case), description_(*run_case.motion), output_(output)
+    : PassingOutput(&output), case_(run_case), description_(*run_case.motion)
 {
 }
 
@@ -49,8 +49,8 @@ void MotionRecorder::begin(const std::vector<Column>& columns)
     velocity_name_ = get_lumped_velocity(case_, description_.of);
   if (!velocity_name_.empty())
     velocity_ = find_place(columns, velocity_name_);
-  output_.begin(columns);
-  for (const auto& row : output_.get_earlier_rows())
+  PassingOutput::begin(columns);
+  for (const auto& row : get_earlier_rows())
     record(row);
 }
 
@@ -63,48 +63,7 @@ void MotionRecorder::record(const std::vector<double>& row)
 void MotionRecorder::write_row(const std::vector<double>& row)
 {
   record(row);
-  output_.write_row(row);
-}
-
-void MotionRecorder::write_event(const EventRecord& event)
-{
-  output_.write_event(event);
-}
-
-void MotionRecorder::write_fields(const double time,
-                                  structure::StructureSystem& system,
-                                  const double* state)
-{
-  output_.write_fields(time, system, state);
-}
-
-void MotionRecorder::write_checkpoint(const RunProgress& progress,
-                                      structure::StructureSystem& system,
-                                      const double* state)
-{
-  output_.write_checkpoint(progress, system, state);
-}
-
-void MotionRecorder::report_step(const time::Step& step,
-                                 const time::IntegratorStatistics& statistics,
-                                 const double balance_relative)
-{
-  output_.report_step(step, statistics, balance_relative);
-}
-
-bool MotionRecorder::wants_checkpoint()
-{
-  return output_.wants_checkpoint();
-}
-
-bool MotionRecorder::interrupted()
-{
-  return output_.interrupted();
-}
-
-std::vector<std::vector<double>> MotionRecorder::get_earlier_rows()
-{
-  return output_.get_earlier_rows();
+  PassingOutput::write_row(row);
 }
 
 void MotionRecorder::finish(RunSummary& summary)

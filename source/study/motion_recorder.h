@@ -1,11 +1,11 @@
 #pragma once
 
-#include <taut/study/run.h>
+#include <taut/study/passing_output.h>
 
 namespace taut::study
 {
-/// Passes on what a run writes and keeps what its case asks for of the motion.
-class MotionRecorder : public RunOutput
+/// Keeps of what a run writes what its case asks for of the motion.
+class MotionRecorder : public PassingOutput
 {
 public:
   /// Both must outlive it; the case asks for a motion.
@@ -14,18 +14,6 @@ public:
   /// Errors: BadInput with the nearest name if a column is missing.
   void begin(const std::vector<Column>& columns) override;
   void write_row(const std::vector<double>& row) override;
-  void write_event(const EventRecord& event) override;
-  void write_fields(double time, structure::StructureSystem& system,
-                    const double* state) override;
-  void write_checkpoint(const RunProgress& progress,
-                        structure::StructureSystem& system,
-                        const double* state) override;
-  void report_step(const time::Step& step,
-                   const time::IntegratorStatistics& statistics,
-                   double balance_relative) override;
-  bool wants_checkpoint() override;
-  bool interrupted() override;
-  std::vector<std::vector<double>> get_earlier_rows() override;
 
   /// Adds what became of the motion to the summary of its run.
   void finish(RunSummary& summary);
@@ -35,7 +23,6 @@ private:
 
   const Case& case_;
   const MotionDescription& description_;
-  RunOutput& output_;
   MotionTrack track_;
   std::string unit_, velocity_name_;
   std::size_t value_ = 0;

@@ -49,23 +49,32 @@ inline unsigned int line_of(const std::string& content, const char* culprit)
   return 1 + std::count(content.begin(), content.begin() + place, '\n');
 }
 
-inline void expect_refused(const std::string& original, const Refusal& refusal)
+/// read(file) must refuse the `content` of the file as it is said.
+template <typename Read>
+void expect_refused_by(const Read& read, const std::string& file,
+                       const std::string& content, const Refusal& refusal)
 {
-  const std::string content = edit(original, refusal.from, refusal.to);
-  const CaseOnDisk disk(content);
   try
   {
-    read_case(disk.file());
+    read(file);
     FAIL() << "accepted: " << refusal.what;
   }
   catch (const BadInput& problem)
   {
-    EXPECT_EQ(problem.file(), disk.file());
+    EXPECT_EQ(problem.file(), file);
     EXPECT_EQ(problem.line(), line_of(content, refusal.culprit))
         << problem.what();
     EXPECT_EQ(problem.key(), refusal.key);
     EXPECT_NE(problem.message().find(refusal.says), std::string::npos)
         << problem.what();
   }
+}
+
+inline void expect_refused(const std::string& original, const Refusal& refusal)
+{
+  const std::string content = edit(original, refusal.from, refusal.to);
+  const CaseOnDisk disk(content);
+  expect_refused_by([](const std::string& file) { read_case(file); },
+                    disk.file(), content, refusal);
 }
 } // namespace taut::io::testing

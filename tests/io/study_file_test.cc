@@ -136,20 +136,8 @@ TEST_P(StudyRefused, WithLineAndKey)
   const Refusal& refusal = GetParam();
   const std::string content = edit(small_study, refusal.from, refusal.to);
   const StudyOnDisk disk(content);
-  try
-  {
-    read_study_file(disk.file());
-    FAIL() << "accepted: " << refusal.what;
-  }
-  catch (const BadInput& problem)
-  {
-    EXPECT_EQ(problem.file(), disk.file());
-    EXPECT_EQ(problem.line(), line_of(content, refusal.culprit))
-        << problem.what();
-    EXPECT_EQ(problem.key(), refusal.key);
-    EXPECT_NE(problem.message().find(refusal.says), std::string::npos)
-        << problem.what();
-  }
+  expect_refused_by([](const std::string& file) { read_study_file(file); },
+                    disk.file(), content, refusal);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <taut/io/output_folder.h>
-#include <taut/study/run.h>
+#include <taut/study/passing_output.h>
 #include <taut/study/statistic.h>
 
 #include <functional>
@@ -33,31 +33,22 @@ struct RecordedRun
 RecordedRun read_run(const OutputFolder& folder);
 
 /// Keeps a run in memory and passes all of it on to another output, if there is
-/// one. Without one there are no fields and no checkpoints.
-class RecordingOutput : public study::RunOutput
+/// one.
+class RecordingOutput : public study::PassingOutput
 {
 public:
   explicit RecordingOutput(RecordedRun& run, study::RunOutput* next = nullptr)
-      : run_(run), next_(next)
+      : PassingOutput(next), run_(run)
   {
   }
   void begin(const std::vector<study::Column>& columns) override;
   void write_row(const std::vector<double>& row) override;
   void write_event(const study::EventRecord& event) override;
-  void write_fields(double time, structure::StructureSystem& system,
-                    const double* state) override;
-  void write_checkpoint(const study::RunProgress& progress,
-                        structure::StructureSystem& system,
-                        const double* state) override;
-  void report_step(const time::Step& step,
-                   const time::IntegratorStatistics& statistics,
-                   double balance_relative) override;
-  bool wants_checkpoint() override;
+  /// Also without another output.
   bool interrupted() override;
 
 private:
   RecordedRun& run_;
-  study::RunOutput* next_;
 };
 
 struct ResultValue

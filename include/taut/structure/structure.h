@@ -202,11 +202,11 @@ public:
   {
     carries_compression_ = carries;
   }
-  /// Sets a point on the way to a rest shape: all stiffnesses of frames times
-  /// `stiffening`, and a dead load (N/m) along all frames. 1 and 0 at first.
   /// The next tangent of the frames takes the resultants of its own state; see
   /// Frames::add_stiffness.
   void forget_linearisation();
+  /// Sets a point on the way to a rest shape: all stiffnesses of frames times
+  /// `stiffening`, and a dead load (N/m) along all frames. 1 and 0 at first.
   void set_rest_path(double stiffening, const std::array<double, 3>& load);
   /// The quaternions in u brought to their length in the mesh, which changes
   /// no state.
